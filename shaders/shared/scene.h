@@ -1,0 +1,48 @@
+// The scene as the GPU reads it. Lengths are metres; positions are in mesh space unless a name says otherwise.
+#ifndef SUNDIAL_SHARED_SCENE_H
+#define SUNDIAL_SHARED_SCENE_H
+#include "interop.h"
+
+SUNDIAL_SHARED_BEGIN
+
+SUNDIAL_CONST kMaxClusterTriangles = 128u;
+SUNDIAL_CONST kNoTexture = 0xffffffffu;
+SUNDIAL_CONST kNoInstance = 0xffffffffu;  // no geometry under the pixel
+
+// The first vertex of each triangle is that triangle's alone and carries its index ("provoking vertex"), so
+// that a flat varying names the triangle: gl_PrimitiveID doubles the pass on lavapipe.
+struct Vertex {
+  vec3 position;
+  uint triangle;  // index of the triangle whose first vertex this is; unspecified for the others
+};
+
+struct Attributes {
+  vec2 uv;      // in the base colour texture, KHR_texture_transform applied
+  uint colour;  // vertex colour, RGBA8 unorm, R in the lowest byte
+};
+
+// At most kMaxClusterTriangles triangles of one material: indices [firstIndex, firstIndex + indexCount).
+struct Cluster {
+  vec3 boundsMin;
+  uint firstIndex;
+  vec3 boundsMax;
+  uint indexCount;
+  uint material;
+  uint mesh;
+};
+
+// How a texture coordinate outside [0, 1] is read.
+SUNDIAL_CONST kWrapRepeat = 0u;
+SUNDIAL_CONST kWrapClamp = 1u;
+SUNDIAL_CONST kWrapMirror = 2u;
+
+struct Material {
+  vec4 baseColour;    // linear RGB and alpha
+  float alphaCutoff;  // fragments with alpha below it are not there; 0 for opaque materials
+  uint texture;       // layer of the scene's texture array, or kNoTexture
+  uint wrapU;
+  uint wrapV;
+};
+
+SUNDIAL_SHARED_END
+#endif

@@ -84,9 +84,10 @@ struct Features {
     const char* name;
     VkBool32* flag;
   };
-  std::array<Item, 10> needed() {
+  std::array<Item, 11> needed() {
     return {{{"dynamicRendering", &v13.dynamicRendering},
              {"synchronization2", &v13.synchronization2},
+             {"maintenance4", &v13.maintenance4},
              {"scalarBlockLayout", &v12.scalarBlockLayout},
              {"drawIndirectCount", &v12.drawIndirectCount},
              {"depthClamp", &all.features.depthClamp},

@@ -25,7 +25,7 @@ class BindingLayout {
   PipelineLayout pipeline_;
 };
 
-// One descriptor set. Bindings that no bound shader reads may stay unset.
+// One descriptor set. Every binding must be set before it is bound: lavapipe follows those too that no shader reads.
 class BindingSet {
  public:
   BindingSet(const Device&, const BindingLayout&);

@@ -75,6 +75,7 @@ Frame::Frame(const FrameView& view, const Method& method)
       transition(command, *map_, VK_IMAGE_LAYOUT_UNDEFINED, VK_IMAGE_LAYOUT_SHADER_READ_ONLY_OPTIMAL);
     });
   } else {
+    bindings_.set(shared::kBindStore, view.target.visibility, nearest_);  // unread, but see BindingSet
     hostPositions_.emplace(view.device, pixels(view) * sizeof(glm::uvec4), 0, MemoryUse::readback);
     hostNormals_.emplace(view.device, pixels(view) * sizeof(glm::uvec4), 0, MemoryUse::readback);
     hostVisibility_.emplace(view.device, pixels(view) * sizeof(float), 0, MemoryUse::upload);

@@ -1,6 +1,8 @@
 // What a view is rendered into: images and view samples of one size, shared by all methods.
 #pragma once
 
+#include <glm/glm.hpp>
+
 #include "gpu/pipeline.h"
 
 namespace sundial {

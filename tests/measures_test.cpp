@@ -196,7 +196,7 @@ TEST(Measures, UtilisationCountsEachTexelOfAViewOnce) {
 }
 
 TEST(DistinctTexels, CountsLikeASet) {
-  DistinctTexels texels(2000);
+  DistinctTexels texels;
   for (int round = 0; round < 2; ++round)
     for (std::uint32_t i = 0; i < 1000; ++i) texels.add(i % 4, i / 8 * 4096);
   EXPECT_EQ(texels.count(), 4u * 125);

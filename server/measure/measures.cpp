@@ -22,6 +22,10 @@ bool faces(const MeasureInput& in, std::size_t i) {
   return in.answers.empty() || in.answers[i].facesLight != 0;
 }
 
+bool answered(const MeasureInput& in, std::size_t i) {
+  return !in.answers.empty() && in.answers[i].view < shared::kMaxShadowViews;
+}
+
 // S and R as measures see them that compare light with shadow.
 bool lit(float visibility) { return visibility >= 0.5f; }
 
@@ -83,8 +87,7 @@ void measureEdges(const MeasureInput& in, const Pixels& pixels, Measures& out) {
   for (const std::uint32_t i : pixels.wrong) {
     const float distance = std::min(toEdge[i], diagonal);
     distances.push_back(distance);
-    const bool answered = !in.answers.empty() && in.answers[i].view != shared::kNoShadowView;
-    const float footprint = answered ? in.answers[i].footprint : 0;
+    const float footprint = answered(in, i) ? in.answers[i].footprint : 0;
     interior +=
         distance > 2 && !(distance <= 1.5f * footprint);  // a footprint that is no number excuses nothing
   }
@@ -98,10 +101,10 @@ void measureTexels(const MeasureInput& in, const Pixels& pixels, Measures& out) 
   if (in.answers.empty()) return;
   std::vector<float> footprints;
   footprints.reserve(pixels.facing.size());
-  DistinctTexels read(pixels.facing.size());
+  DistinctTexels read;
   for (const std::uint32_t i : pixels.facing) {
+    if (!answered(in, i)) continue;
     const shared::Answer& answer = in.answers[i];
-    if (answer.view == shared::kNoShadowView) continue;
     if (!std::isnan(answer.footprint)) footprints.push_back(answer.footprint);
     read.add(answer.view, answer.texel);
   }

@@ -303,9 +303,9 @@ void makeAtrium(SceneBuilder& builder, const Values&) {
   addFurniture(builder, paints);
 
   builder.addView(view("main", {-10.4, 2.3, 2.2}, {2, 3.4, -1.6}, 62));
-  builder.addView(view("gallery", {-12.2, 7.3, 0.4}, {0, 3.2, -0.8}, 60));
+  builder.addView(view("gallery", {-10.9, 7.4, 0.5}, {0, 3.0, -1.2}, 65));
   builder.addView(view("arcade", {10.8, 1.7, -5.6}, {-2, 2.0, -4.4}, 60));
-  builder.addView(view("above", {-9, 17, 9}, {0.5, 3, -0.5}, 50));
+  builder.addView(view("above", {-15.5, 20, 5}, {-0.5, 3.5, -0.6}, 50));
   builder.addView(view("curtain", {1.6, 1.6, -0.4}, {-1.4, 2.0, -4.1}, 55));
   builder.addLight(sun("sun", 50, 0.07));
   builder.addLight(sun("low", 5, 0.015));

@@ -34,7 +34,7 @@ Shape column(double height, double radius, unsigned flutes) {
 
   // The shaft swells a little and narrows upwards; its flutes end in round hollows.
   const double shaft = height - baseHeight - capitalHeight;
-  shape.surface(flutes * 4, 8, [&](double u, double v) {
+  shape.surface(flutes * 4, 6, [&](double u, double v) {
     const double turn = u < 1 ? u : 0;
     const double taper = radius * (1 - 0.14 * v * v);
     const double ends = std::min(1.0, 12 * std::min(v, 1 - v));
@@ -118,7 +118,7 @@ Shape balustrade(double width, unsigned balusters) {
                                                  {0.05, 0.74},
                                                  {0.05, 0.78}}};
   Shape baluster;
-  baluster.lathe(kProfile, 10);
+  baluster.lathe(kProfile, 8);
   Shape shape;
   shape.box({-width / 2, 0, -0.09}, {width / 2, 0.12, 0.09});
   shape.box({-width / 2, 0.78, -0.11}, {width / 2, 0.9, 0.11});
@@ -130,7 +130,7 @@ Shape balustrade(double width, unsigned balusters) {
 Shape curtain(double width, double height, Random& random) {
   const double phase = random.unit(), folds = random.range(4.5, 6.5), sway = random.range(-0.12, 0.12);
   Shape shape;
-  shape.surface(40, 44, [&](double u, double v) {
+  shape.surface(36, 40, [&](double u, double v) {
     const double down = 1 - v;
     const double fold = sinTurns(folds * u + phase + 0.15 * sinTurns(down * 0.7)) +
                         0.35 * sinTurns(2.3 * folds * u + 2 * phase + 0.4 * down);

@@ -13,7 +13,7 @@ namespace sundial::builtin {
 namespace {
 
 constexpr double kHalf = 100;      // the ground reaches this far each way
-constexpr unsigned kCells = 48;    // of the ground, each way
+constexpr unsigned kCells = 60;    // of the ground, each way
 constexpr std::size_t kKinds = 5;  // the last two are conifers
 
 constexpr std::array<Parameter, 2> kParameters{
@@ -41,7 +41,7 @@ void addCard(Shape& shape, const glm::dvec3& root, const glm::dvec3& along, cons
 
 // A trunk that forks into boughs, each with twigs' cards around its outer half.
 Tree broadleaf(Random& random) {
-  constexpr int kBoughs = 13, kCards = 27;
+  constexpr int kBoughs = 13, kCards = 28;
   Tree tree;
   const double height = random.range(6, 8.5), lean = random.range(-0.5, 0.5);
   std::array<glm::dvec3, 8> trunk;
@@ -83,7 +83,7 @@ Tree broadleaf(Random& random) {
 
 // Whorls of drooping fronds up a straight trunk.
 Tree conifer(Random& random) {
-  constexpr int kWhorls = 17;
+  constexpr int kWhorls = 19;
   Tree tree;
   const double height = random.range(9, 12);
   const std::array<glm::dvec3, 4> trunk{
@@ -93,11 +93,11 @@ Tree conifer(Random& random) {
   for (int w = 0; w < kWhorls; ++w) {
     const double t = static_cast<double>(w) / (kWhorls - 1);
     const double reach = 0.25 + (1 - t) * random.range(1.9, 2.3);
-    const int fronds = 7 + (kWhorls - w) / 3;
+    const int fronds = 7 + (kWhorls - w) / 4;
     for (int f = 0; f < fronds; ++f) {
       const double turn = (f + random.range(-0.25, 0.25)) / fronds + 0.17 * w;
       const glm::dvec3 out = onCircle(turn), side = onCircle(turn + 0.25);
-      const glm::dvec3 root(0, height * (0.14 + 0.83 * t) + random.range(-0.1, 0.1), 0);
+      const glm::dvec3 root(0, height * (0.12 + 0.87 * t * (1.12 - 0.12 * t)) + random.range(-0.1, 0.1), 0);
       const double length = reach * random.range(0.85, 1.1), width = 0.32 + 0.3 * length;
       // Two halves that fall off like a roof, pointed at the tip.
       tree.leaves.surface(2, 3, [&](double u, double v) {

@@ -33,7 +33,8 @@ class TomlConfig final : public CLI::Config {
       CLI::ConfigItem item;
       item.name = std::string(key.str());
       if (!app_.get_option_no_throw("--" + item.name)) {
-        throw CLI::ConfigError(fmt::format("--config: there is no key {}", item.name), CLI::ExitCodes::ConfigError);
+        throw CLI::ConfigError(fmt::format("--config: there is no key {}", item.name),
+                               CLI::ExitCodes::ConfigError);
       }
       if (const toml::array* list = node.as_array()) {
         for (const toml::node& one : *list) item.inputs.push_back(text(item.name, one));

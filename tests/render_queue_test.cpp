@@ -17,8 +17,8 @@ class RenderQueueTest : public ::testing::Test {
   ~RenderQueueTest() override { gate.open(); }
 
   void start() {
-    queue = std::make_unique<RenderQueue>(std::make_unique<test::FakeRenderer>(std::make_shared<test::FakeState>()),
-                                          limits);
+    queue = std::make_unique<RenderQueue>(
+        std::make_unique<test::FakeRenderer>(std::make_shared<test::FakeState>()), limits);
   }
   // Jobs note their name when they run, and the code when they are refused; they hold the thread at the gate.
   RenderQueue::Job job(std::string name, std::uint64_t bytes = 0) {

@@ -1,4 +1,5 @@
-// Scenes by content: held once, found by any name, let go least recently used first, never from outside the root.
+// Scenes by content: held once, found by any name, let go least recently used first, never from outside the
+// root.
 #include "scene_store.h"
 
 #include <gtest/gtest.h>
@@ -46,15 +47,20 @@ class SceneStoreTest : public ::testing::Test {
     std::ofstream(folder / "root" / name, std::ios::binary) << content;
     fs::last_write_time(folder / "root" / name, fs::file_time_type::clock::now() - std::chrono::seconds(age));
   }
-  std::future<Result<LoadedScene>> loading(const std::string& reference, bool pinned = false, std::stop_token stop = {}) {
+  std::future<Result<LoadedScene>> loading(const std::string& reference, bool pinned = false,
+                                           std::stop_token stop = {}) {
     auto promise = std::make_shared<std::promise<Result<LoadedScene>>>();
-    store->load(reference, pinned, stop, [promise](Result<LoadedScene> loaded) { promise->set_value(std::move(loaded)); });
+    store->load(reference, pinned, stop,
+                [promise](Result<LoadedScene> loaded) { promise->set_value(std::move(loaded)); });
     return promise->get_future();
   }
-  Result<LoadedScene> load(const std::string& reference, bool pinned = false) { return loading(reference, pinned).get(); }
+  Result<LoadedScene> load(const std::string& reference, bool pinned = false) {
+    return loading(reference, pinned).get();
+  }
   std::future<Result<LoadedScene>> uploading(SceneFiles files, std::stop_token stop = {}) {
     auto promise = std::make_shared<std::promise<Result<LoadedScene>>>();
-    store->upload(std::move(files), stop, [promise](Result<LoadedScene> loaded) { promise->set_value(std::move(loaded)); });
+    store->upload(std::move(files), stop,
+                  [promise](Result<LoadedScene> loaded) { promise->set_value(std::move(loaded)); });
     return promise->get_future();
   }
   std::vector<SceneListing> list() {
@@ -223,7 +229,8 @@ TEST_F(SceneStoreTest, UnloadNamesWhatIsLoaded) {
   ASSERT_TRUE(load("builtin:small"));
   const auto unloaded = store->unload("builtin:large");
   ASSERT_FALSE(unloaded);
-  EXPECT_NE(unloaded.error().message.find("loaded: builtin:small"), std::string::npos) << unloaded.error().message;
+  EXPECT_NE(unloaded.error().message.find("loaded: builtin:small"), std::string::npos)
+      << unloaded.error().message;
 }
 
 TEST_F(SceneStoreTest, UploadGivenUpWhileItLoadsIsNotKept) {

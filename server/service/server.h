@@ -33,7 +33,8 @@ struct ServerOptions {
 class Server {
  public:
   // Listens when this returns. Errors: failedPrecondition for an address that can't be had, saying why and
-  // what to try; invalidArgument for certificates that can't be used.
+  // what to try; invalidArgument for one that is
+  // malformed, and for certificates that can't be used.
   static Result<std::unique_ptr<Server>> start(ServerOptions, std::unique_ptr<Renderer>, SceneSource);
   ~Server();  // stop() without waiting for anybody
 
@@ -59,6 +60,9 @@ class Server {
   std::unique_ptr<grpc::Server> grpc_;
   bool stopped_ = false;
 };
+
+// What is wrong with HOST:PORT as a text; nothing if it is well formed.
+std::optional<std::string> whyMalformed(const std::string& address);
 
 // Why nothing can listen there: "port 50051 is in use ..."; nothing if it can. `address` as in ServerOptions.
 std::optional<std::string> whyNotListening(const std::string& address);

@@ -72,12 +72,17 @@ struct FakeState {
 
 inline Image::Format formatOf(Aov aov) {
   switch (aov) {
-    case Aov::colour: return Image::Format::rgba8;
+    case Aov::colour:
+      return Image::Format::rgba8;
     case Aov::position:
-    case Aov::normal: return Image::Format::rgb32f;
-    case Aov::id: return Image::Format::rg32u;
-    case Aov::view: return Image::Format::r32u;
-    default: return Image::Format::r32f;
+    case Aov::normal:
+      return Image::Format::rgb32f;
+    case Aov::id:
+      return Image::Format::rg32u;
+    case Aov::view:
+      return Image::Format::r32u;
+    default:
+      return Image::Format::r32f;
   }
 }
 

@@ -50,7 +50,8 @@ struct FakeScenes {
     source.generate = [this](std::string_view reference) -> Result<Scene> {
       gate.arrive();
       ++generated;
-      if (!reference.starts_with("small")) return fail(ErrorCode::notFound, "no built-in scene: there is small");
+      if (!reference.starts_with("small"))
+        return fail(ErrorCode::notFound, "no built-in scene: there is small");
       std::uint64_t bytes = 64;
       if (const auto at = reference.find("bytes="); at != std::string_view::npos) {
         std::from_chars(reference.data() + at + 6, reference.data() + reference.size(), bytes);
@@ -70,14 +71,15 @@ class Records {
     records_.push_back(record);
     changed_.notify_all();
   }
-  // Blocks until so many calls of that rpc have ended; gives the last of them.
-  CallRecord await(const std::string& rpc, std::size_t count) {
+  // Blocks until so many calls of that rpc, with that status if one is given, have ended; gives the last of
+  // them.
+  CallRecord await(const std::string& rpc, std::size_t count, std::optional<grpc::StatusCode> status = {}) {
     std::unique_lock lock(mutex_);
     std::vector<CallRecord> matching;
     changed_.wait(lock, [&] {
       matching.clear();
       for (const CallRecord& record : records_) {
-        if (record.rpc == rpc) matching.push_back(record);
+        if (record.rpc == rpc && record.status == status.value_or(record.status)) matching.push_back(record);
       }
       return matching.size() >= count;
     });
@@ -159,7 +161,8 @@ class ServiceTest : public ::testing::Test {
   std::shared_ptr<grpc::Channel> channel() {
     grpc::ChannelArguments arguments;
     arguments.SetInt(GRPC_ARG_USE_LOCAL_SUBCHANNEL_POOL, 1);
-    return grpc::CreateCustomChannel(server->addresses().front(), grpc::InsecureChannelCredentials(), arguments);
+    return grpc::CreateCustomChannel(server->addresses().front(), grpc::InsecureChannelCredentials(),
+                                     arguments);
   }
   grpc::Status render(const v1::RenderRequest& request) { return Stream(*stub, request).finish(); }
 

@@ -1,0 +1,2 @@
+#include "command/command.h"
+namespace sundial::command { void addCompare(CLI::App&, Action&) {} }

@@ -1,0 +1,128 @@
+#include "sundial/client.h"
+
+#include <fmt/format.h>
+
+#include <fstream>
+
+namespace sundial::client {
+namespace {
+
+constexpr std::size_t kChunkBytes = 256 * 1024;
+
+template <class Request, class Response>
+using Rpc = grpc::Status (v1::Sundial::Stub::*)(grpc::ClientContext*, const Request&, Response*);
+
+template <class Request, class Response>
+Expected<Response> call(v1::Sundial::Stub& stub, const CallOptions& options, Rpc<Request, Response> rpc,
+                        const Request& request) {
+  Response response;
+  const grpc::Status status = withRetries(
+      options, [&](grpc::ClientContext& context) { return (stub.*rpc)(&context, request, &response); });
+  if (!status.ok()) return fail(status);
+  return response;
+}
+
+// Writes until everything is sent or the server ends the call; its status says why. An error of our own is for
+// what can't be read.
+grpc::Status sendFiles(const SceneFiles& scene, grpc::ClientWriter<v1::UploadSceneRequest>& writer,
+                       const OnProgress& onProgress) {
+  v1::UploadSceneRequest request;
+  Progress progress{.bytesExpected = scene.bytes};
+  request.set_main(scene.files.front().uri);
+  if (!writer.Write(request)) return grpc::Status::OK;
+  for (const SceneFile& file : scene.files) {
+    request.set_file(file.uri);
+    if (!writer.Write(request)) return grpc::Status::OK;
+    std::ifstream input(file.path, std::ios::binary);
+    std::string chunk(kChunkBytes, '\0');
+    while (input) {
+      input.read(chunk.data(), static_cast<std::streamsize>(kChunkBytes));
+      if (input.bad() || (input.fail() && !input.eof())) break;
+      const auto count = static_cast<std::size_t>(input.gcount());
+      if (count == 0) break;
+      request.set_chunk(chunk.data(), count);
+      if (!writer.Write(request)) return grpc::Status::OK;
+      progress.bytes += count;
+      if (onProgress) onProgress(progress);
+    }
+    if (!input.eof())
+      return {grpc::DATA_LOSS, fmt::format("reading {} failed on the way; check the disk", file.path.string())};
+  }
+  if (progress.bytes != scene.bytes)
+    return {grpc::DATA_LOSS, "the scene's files changed while they were sent; send them again"};
+  writer.WritesDone();
+  return grpc::Status::OK;
+}
+
+}  // namespace
+
+Client::Client(std::shared_ptr<grpc::Channel> channel, CallOptions options)
+    : stub_(v1::Sundial::NewStub(std::move(channel))), options_(std::move(options)) {}
+
+Expected<v1::ServerInfo> Client::serverInfo() const {
+  return call<v1::GetServerInfoRequest, v1::ServerInfo>(*stub_, options_, &v1::Sundial::Stub::GetServerInfo, {});
+}
+
+Expected<v1::ListMethodsResponse> Client::listMethods() const {
+  return call<v1::ListMethodsRequest, v1::ListMethodsResponse>(*stub_, options_,
+                                                               &v1::Sundial::Stub::ListMethods, {});
+}
+
+Expected<v1::ListScenesResponse> Client::listScenes() const {
+  return call<v1::ListScenesRequest, v1::ListScenesResponse>(*stub_, options_, &v1::Sundial::Stub::ListScenes,
+                                                             {});
+}
+
+Expected<v1::SceneInfo> Client::load(const std::string& scene) const {
+  v1::LoadSceneRequest request;
+  request.set_scene(scene);
+  return call(*stub_, options_, &v1::Sundial::Stub::LoadScene, request);
+}
+
+Expected<v1::UnloadSceneResponse> Client::unload(const std::string& scene) const {
+  v1::UnloadSceneRequest request;
+  request.set_scene(scene);
+  return call(*stub_, options_, &v1::Sundial::Stub::UnloadScene, request);
+}
+
+Expected<v1::SceneInfo> Client::upload(const SceneFiles& scene, const OnProgress& onProgress) const {
+  v1::SceneInfo info;
+  const grpc::Status status = withRetries(options_, [&](grpc::ClientContext& context) {
+    const auto writer = stub_->UploadScene(&context, &info);
+    const grpc::Status sent = sendFiles(scene, *writer, onProgress);
+    if (!sent.ok()) context.TryCancel();
+    const grpc::Status answer = writer->Finish();
+    return sent.ok() ? answer : sent;
+  });
+  if (!status.ok()) return fail(status);
+  return info;
+}
+
+Expected<Rendering> Client::render(const v1::RenderRequest& request, const OnProgress& onProgress) const {
+  Expected<Rendering> rendering;
+  const grpc::Status status = withRetries(options_, [&](grpc::ClientContext& context) -> grpc::Status {
+    RenderingAssembler assembler(request);
+    const auto reader = stub_->Render(&context, request);
+    v1::RenderEvent event;
+    Progress progress;
+    while (reader->Read(&event)) {
+      if (event.has_accepted()) progress.queuePosition = event.accepted().queue_position();
+      if (const grpc::Status added = assembler.add(std::move(event)); !added.ok()) {
+        context.TryCancel();
+        reader->Finish();  // its CANCELLED is ours; the damage is the news
+        return added;
+      }
+      progress.bytes = assembler.bytesReceived();
+      progress.bytesExpected = assembler.bytesExpected();
+      progress.methodsDone = assembler.methodsDone();
+      if (onProgress) onProgress(progress);
+    }
+    if (const grpc::Status ended = reader->Finish(); !ended.ok()) return ended;
+    rendering = assembler.finish();
+    return rendering ? grpc::Status::OK : grpc::Status(rendering.error().code, rendering.error().message);
+  });
+  if (!status.ok()) return fail(status);
+  return rendering;
+}
+
+}  // namespace sundial::client

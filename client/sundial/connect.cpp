@@ -1,0 +1,91 @@
+#include "sundial/connect.h"
+
+#include <arpa/inet.h>
+#include <fmt/format.h>
+#include <grpcpp/create_channel.h>
+#include <grpcpp/security/credentials.h>
+#include <grpcpp/support/channel_arguments.h>
+#include <netdb.h>
+
+#include <array>
+#include <charconv>
+#include <string>
+#include <vector>
+
+namespace sundial::client {
+namespace {
+
+using grpc::StatusCode;
+
+struct HostPort {
+  std::string host, port;
+};
+
+Expected<HostPort> splitHostPort(std::string_view address) {
+  const auto colon = address.rfind(':');
+  unsigned port = 0;
+  if (colon != std::string_view::npos && colon > 0) {
+    const std::string_view text = address.substr(colon + 1);
+    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), port);
+    if (error == std::errc() && end == text.data() + text.size() && port >= 1 && port <= 65535)
+      return HostPort{std::string(address.substr(0, colon)), std::string(text)};
+  }
+  return fail(StatusCode::INVALID_ARGUMENT,
+              fmt::format("'{}' is no server address; write host:port or unix:PATH", address));
+}
+
+// gRPC takes several targets only as numbers.
+Expected<std::string> resolve(const HostPort& address) {
+  addrinfo hints{};
+  hints.ai_family = AF_INET;
+  hints.ai_socktype = SOCK_STREAM;
+  addrinfo* found = nullptr;
+  if (const int error = getaddrinfo(address.host.c_str(), address.port.c_str(), &hints, &found); error != 0)
+    return fail(StatusCode::UNAVAILABLE, fmt::format("can't resolve '{}': {}; check the name or give its IPv4 address",
+                                                     address.host, gai_strerror(error)));
+  const std::unique_ptr<addrinfo, decltype(&freeaddrinfo)> owner(found, &freeaddrinfo);
+  std::array<char, INET_ADDRSTRLEN> text{};
+  const auto* ip = reinterpret_cast<const sockaddr_in*>(found->ai_addr);
+  inet_ntop(AF_INET, &ip->sin_addr, text.data(), text.size());
+  return fmt::format("{}:{}", text.data(), address.port);
+}
+
+std::vector<std::string_view> splitCommas(std::string_view text) {
+  std::vector<std::string_view> parts;
+  for (;;) {
+    const auto comma = text.find(',');
+    parts.push_back(text.substr(0, comma));
+    if (comma == std::string_view::npos) return parts;
+    text.remove_prefix(comma + 1);
+  }
+}
+
+}  // namespace
+
+Expected<std::shared_ptr<grpc::Channel>> connect(std::string_view addresses) {
+  grpc::ChannelArguments arguments;
+  arguments.SetInt(GRPC_ARG_INITIAL_RECONNECT_BACKOFF_MS, 50);
+  arguments.SetInt(GRPC_ARG_MIN_RECONNECT_BACKOFF_MS, 50);
+  arguments.SetInt(GRPC_ARG_MAX_RECONNECT_BACKOFF_MS, 2000);
+
+  std::string target;
+  if (addresses.starts_with("unix:") && addresses.size() > 5) {
+    target = addresses;
+  } else if (const auto parts = splitCommas(addresses); parts.size() == 1) {
+    if (const auto address = splitHostPort(addresses); !address) return std::unexpected(address.error());
+    target = addresses;
+  } else {
+    for (const std::string_view part : parts) {
+      const auto address = splitHostPort(part);
+      if (!address) return std::unexpected(address.error());
+      const auto ip = resolve(*address);
+      if (!ip) return std::unexpected(ip.error());
+      target += (target.empty() ? "ipv4:" : ",") + *ip;
+    }
+    arguments.SetServiceConfigJSON(
+        R"({"loadBalancingConfig": [{"round_robin": {}}], "healthCheckConfig": {"serviceName": ""}})");
+  }
+  return grpc::CreateCustomChannel(target, grpc::InsecureChannelCredentials(), arguments);
+}
+
+}  // namespace sundial::client

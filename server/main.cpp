@@ -4,7 +4,9 @@
 #include <signal.h>
 #include <spdlog/sinks/stdout_sinks.h>
 #include <spdlog/spdlog.h>
+#include <unistd.h>
 
+#include <atomic>
 #include <cstdio>
 
 #include "flags.h"
@@ -94,6 +96,12 @@ int main(int argc, char** argv) {
     log(call);
     if (metrics) metrics->count(call);
   };
+  std::atomic<bool> broken = false;
+  flags.server.onBroken = [&broken](const std::string& why) {
+    spdlog::critical("the device fails again and again, stopping: {}", why);
+    broken = true;
+    ::kill(::getpid(), SIGTERM);
+  };
   auto server = Server::start(std::move(flags.server), std::move(*renderer), sceneSource());
   if (!server) return die(server.error().code == ErrorCode::invalidArgument ? 2 : 1, server.error());
   if (metrics) metrics->watch(server->get());
@@ -106,5 +114,5 @@ int main(int argc, char** argv) {
   (*server)->stop(flags.drain);
   if (metrics) metrics->watch(nullptr);
   spdlog::info("stopped");
-  return 0;
+  return broken ? 1 : 0;
 }

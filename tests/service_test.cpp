@@ -767,6 +767,8 @@ TEST_F(ServiceTest, RendererThatThrowsIsAnError) {
     }
     DeviceInfo info;
   };
+  std::atomic<unsigned> broken = 0;
+  options.onBroken = [&](const std::string&) { ++broken; };
   auto started = Server::start(options, std::make_unique<Broken>(), scenes.source());
   ASSERT_TRUE(started);
   server = std::move(*started);
@@ -775,6 +777,10 @@ TEST_F(ServiceTest, RendererThatThrowsIsAnError) {
   const grpc::Status lost = render(renderRequest());
   EXPECT_EQ(lost.error_code(), grpc::StatusCode::UNAVAILABLE);
   EXPECT_NE(lost.error_message().find("device lost"), std::string::npos);
+  EXPECT_EQ(broken, 0u);
+  render(renderRequest());
+  render(renderRequest());  // the third in a row
+  EXPECT_EQ(broken, 1u);
 }
 
 }  // namespace

@@ -39,15 +39,15 @@ Server::Server(ServerOptions&& options, std::unique_ptr<Renderer> renderer, Scen
                .timer = timer_,
                .limits = options.calls,
                .onEnd = std::move(options.onEnd),
+               .onBroken = std::move(options.onBroken),
                .idPrefix = randomPrefix(),
                .calls = {}},
       service_(context_) {}
 
 Result<std::unique_ptr<Server>> Server::start(ServerOptions options, std::unique_ptr<Renderer> renderer,
                                               SceneSource source) {
-  const std::vector<std::string> addresses = options.listen;
-  auto copy = options;
-  auto server = std::unique_ptr<Server>(new Server(std::move(copy), std::move(renderer), std::move(source)));
+  auto server =
+      std::unique_ptr<Server>(new Server(ServerOptions(options), std::move(renderer), std::move(source)));
   if (auto listening = server->listen(options); !listening)
     return std::unexpected(std::move(listening.error()));
   return server;

@@ -27,7 +27,10 @@ struct ServerOptions {
   QueueLimits queue;
   StoreOptions store;
   CallLimits calls;
-  std::function<void(const CallRecord&)> onEnd;  // any thread, concurrently; must not throw or wait
+  // Any thread, concurrently; must not throw or wait.
+  std::function<void(const CallRecord&)> onEnd;
+  std::function<void(const std::string& why)>
+      onBroken;  // the device fails again and again: stop, and start anew
 };
 
 class Server {

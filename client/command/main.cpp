@@ -61,6 +61,8 @@ int run(int argc, char** argv) {
   } catch (const CLI::Success& help) {
     return app.exit(help);
   } catch (const CLI::ParseError& error) {
+    if (app.get_subcommands().empty() && !app.remaining().empty())
+      return complain(fmt::format("there is no '{}'; see 'sundial --help'", app.remaining().front()), 2);
     return complain(fmt::format("{}; see 'sundial --help'", error.what()), 2);
   }
 

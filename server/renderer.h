@@ -10,6 +10,7 @@
 #include <string>
 #include <vector>
 
+#include "gpu/device_info.h"
 #include "measure/measures.h"
 #include "result.h"
 #include "scene/scene.h"
@@ -83,8 +84,8 @@ struct PlanView {
 
 struct MethodResult {
   Method method;
-  Quartiles frameMs;                   // the clock around submit and fence
-  std::optional<Quartiles> ratio;      // frame time over the baseline's, pair by pair
+  Quartiles frameMs;               // the clock around submit and fence
+  std::optional<Quartiles> ratio;  // frame time over the baseline's, pair by pair
   std::optional<Measures> measures;
   std::uint64_t storeBytes = 0, totalBytes = 0, allocatedBytes = 0;
   std::vector<PassTiming> passes;
@@ -99,11 +100,6 @@ class JobSink {
   virtual void onPlan(std::size_t method, const std::vector<PlanView>&) = 0;
   virtual void onImage(std::size_t method, Image) = 0;
   virtual void onResult(std::size_t method, MethodResult) = 0;
-};
-
-struct DeviceInfo {
-  std::string name;    // "llvmpipe (LLVM 15.0.6, 256 bits)"
-  std::string driver;  // "llvmpipe, Mesa 22.3.6 (LLVM 15.0.6)"
 };
 
 // Owns a device. All calls from one thread; the class may be created on another.

@@ -41,6 +41,8 @@ class SceneBuilder {
   Result<Scene> finish() &&;
 
  private:
+  Result<void> check() const;
+
   Scene scene_;
   std::vector<Texture> textures_;
   struct NamedMesh {

@@ -9,28 +9,9 @@
 #include <vector>
 
 #include "result.h"
+#include "shadow/stages.h"
 
 namespace sundial {
-
-// One enumeration a stage (DESIGN section 1); the names that users write are in stages.cpp.
-enum class Technique { shadowMap, rayTraced };
-enum class Volume { scene, samples };
-enum class Partition { single };
-enum class Warp { none };
-enum class Focus { loose, aabb };
-enum class Resolution { fixed };
-enum class Storage { depth };
-enum class Lookup { hard, pcf };
-
-struct Stages {
-  Volume volume;
-  Partition partition;
-  Warp warp;
-  Focus focus;
-  Resolution resolution;
-  Storage storage;
-  Lookup lookup;
-};
 
 // What a user may set on a row. Sizes ("2048" or "1024x512") and numbers carry a range; stage choices list
 // their values.
@@ -45,6 +26,8 @@ struct Parameter {
   std::vector<std::string_view> choices = {};
 };
 
+enum class Technique { shadowMap, rayTraced };
+
 struct MethodRow {
   std::string_view name;
   std::string_view title;
@@ -58,10 +41,10 @@ struct Method {
   const MethodRow* row = nullptr;
   std::map<std::string, std::string> parameters;  // every parameter of the row, as text, defaults filled in
   std::optional<Stages> stages;
-  struct {
+  struct Settings {
     unsigned width = 2048, height = 2048;  // texels of every map
-    double biasTexels = 0;                 // texels of the map at the receiver
-    double biasWorld = 0;                  // metres
+    double biasTexels = 0;                 // towards the light, texels of the map at the receiver
+    std::optional<double> biasWorld;       // towards the light, metres; none: a share of the scene's diagonal
     unsigned kernel = 3;                   // pcf, texels a side
   } settings;
   std::string label() const;  // "sm,texels=1024": the name and what differs from the defaults
@@ -76,8 +59,5 @@ Result<Method> chooseMethod(std::string_view name, const std::map<std::string, s
 
 // "NAME[,key=value]..." as the command line writes it.
 Result<Method> parseMethod(std::string_view text);
-
-// Why these stages don't go together; nothing if they do. Every row is checked with it at start-up.
-std::optional<std::string> whyImpossible(const Stages&);
 
 }  // namespace sundial

@@ -36,8 +36,19 @@ struct FrameConstants {
   vec3 lsBoundsMin;      // bounds known to the host (volume=scene), light space after division
   uint pcfKernel;        // texels a side, odd
   vec3 lsBoundsMax;
-  uint padding;
+  uint cullSlots;  // the camera and every shadow view
+  uvec2 drawBuckets[6];  // first chunk and number of chunks of each bucket (scene.h: kBuckets)
 };
+
+// What the analysis of the view samples found: floats in an order-preserving code, so that integer atomics
+// reduce them and the result depends on no order.
+struct Analysis {
+  uint lsBoundsMin[3];  // 0xffffffff: no sample
+  uint lsBoundsMax[3];
+};
+
+// Cull slot of the camera; shadow view v has slot v + 1.
+SUNDIAL_CONST kCameraSlot = 0u;
 
 // A visible point: what the reference traces from and what the method resolves, the same numbers for both.
 struct ViewSample {

@@ -20,6 +20,7 @@ using uint = std::uint32_t;
 #define SUNDIAL_CONST inline constexpr uint
 #else
 #extension GL_EXT_scalar_block_layout : require
+
 #define SUNDIAL_SHARED_BEGIN
 #define SUNDIAL_SHARED_END
 #define SUNDIAL_CONST const uint

@@ -44,5 +44,28 @@ struct Material {
   uint wrapV;
 };
 
+// A mesh placed in the world relative to the frame's origin: three rows of an affine matrix.
+struct Instance {
+  vec4 worldFromMesh[3];
+};
+
+// A cluster of an instance, the unit of culling. Draws are sorted by bucket: what a pipeline and a cull mode can
+// draw together.
+struct Draw {
+  uint instance;  // kNoInstance: pads a bucket to a whole chunk
+  uint cluster;
+};
+SUNDIAL_CONST kDrawsPerChunk = 64u;
+SUNDIAL_CONST kBuckets = 6u;  // 3 * masked + {cull nothing, cull back faces, cull front faces (mirrored)}
+SUNDIAL_CONST kFirstMaskedBucket = 3u;
+
+struct DrawCommand {  // VkDrawIndexedIndirectCommand
+  uint indexCount;
+  uint instanceCount;
+  uint firstIndex;
+  int vertexOffset;
+  uint firstInstance;  // the draw's index
+};
+
 SUNDIAL_SHARED_END
 #endif

@@ -1,0 +1,52 @@
+#include "gpu/rendering.h"
+
+namespace sundial {
+
+namespace {
+
+constexpr VkImageLayout kRead = VK_IMAGE_LAYOUT_SHADER_READ_ONLY_OPTIMAL;
+constexpr VkImageLayout kColour = VK_IMAGE_LAYOUT_COLOR_ATTACHMENT_OPTIMAL;
+constexpr VkImageLayout kDepth = VK_IMAGE_LAYOUT_DEPTH_ATTACHMENT_OPTIMAL;
+
+VkRenderingAttachmentInfo attachment(const GpuImage& image, VkImageLayout layout) {
+  return {.sType = VK_STRUCTURE_TYPE_RENDERING_ATTACHMENT_INFO,
+          .imageView = image.view(),
+          .imageLayout = layout,
+          .loadOp = VK_ATTACHMENT_LOAD_OP_CLEAR,
+          .storeOp = VK_ATTACHMENT_STORE_OP_STORE};
+}
+
+}  // namespace
+
+void renderInto(VkCommandBuffer command, const std::vector<const GpuImage*>& colours, const GpuImage* depth,
+                const std::function<void()>& draw) {
+  std::vector<VkRenderingAttachmentInfo> attachments;
+  for (const GpuImage* image : colours) {
+    transition(command, *image, kRead, kColour);
+    attachments.push_back(attachment(*image, kColour));
+  }
+  VkRenderingAttachmentInfo depthAttachment{};
+  if (depth) {
+    transition(command, *depth, kRead, kDepth);
+    depthAttachment = attachment(*depth, kDepth);
+  }
+  const VkExtent2D extent = depth ? depth->extent() : colours.front()->extent();
+  const VkRect2D area{{0, 0}, extent};
+  const VkRenderingInfo info{.sType = VK_STRUCTURE_TYPE_RENDERING_INFO,
+                             .renderArea = area,
+                             .layerCount = 1,
+                             .colorAttachmentCount = static_cast<std::uint32_t>(attachments.size()),
+                             .pColorAttachments = attachments.data(),
+                             .pDepthAttachment = depth ? &depthAttachment : nullptr};
+  vkCmdBeginRendering(command, &info);
+  const VkViewport viewport{0, 0, static_cast<float>(extent.width), static_cast<float>(extent.height), 0, 1};
+  vkCmdSetViewport(command, 0, 1, &viewport);
+  vkCmdSetScissor(command, 0, 1, &area);
+  vkCmdSetCullMode(command, VK_CULL_MODE_NONE);
+  draw();
+  vkCmdEndRendering(command);
+  for (const GpuImage* image : colours) transition(command, *image, kColour, kRead);
+  if (depth) transition(command, *depth, kDepth, kRead);
+}
+
+}  // namespace sundial

@@ -1,0 +1,16 @@
+// Drawing into images: one scope begins and ends it, with the layout changes around.
+#pragma once
+
+#include <functional>
+#include <vector>
+
+#include "gpu/resource.h"
+
+namespace sundial {
+
+// Clears the images to zero, draws, and leaves them ready to be read by shaders. All of one size; viewport
+// and scissor cover it and culling is off until `draw` says otherwise.
+void renderInto(VkCommandBuffer, const std::vector<const GpuImage*>& colours, const GpuImage* depth,
+                const std::function<void()>& draw);
+
+}  // namespace sundial

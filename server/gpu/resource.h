@@ -1,0 +1,79 @@
+// Buffers and images that own their memory.
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "gpu/device.h"
+
+namespace sundial {
+
+class Buffer {
+ public:
+  Buffer() = default;
+  // `bytes` may be 0: a buffer of 16 bytes is made, so that it can be bound.
+  Buffer(const Device&, VkDeviceSize bytes, VkBufferUsageFlags, MemoryUse = MemoryUse::device);
+
+  operator VkBuffer() const { return buffer_; }
+  VkDeviceSize size() const { return size_; }
+  // Mapped memory; only of upload and readback buffers.
+  template <class T>
+  T* mapped() const {
+    return static_cast<T*>(mapped_);
+  }
+
+ private:
+  Memory memory_;  // freed after the buffer
+  Handle<VkBuffer, vkDestroyBuffer> buffer_;
+  VkDeviceSize size_ = 0;
+  void* mapped_ = nullptr;
+};
+
+// A buffer in device memory with these contents.
+Buffer uploaded(const Device&, const void* data, VkDeviceSize bytes, VkBufferUsageFlags);
+template <class T>
+Buffer uploaded(const Device& device, const std::vector<T>& data, VkBufferUsageFlags usage) {
+  return uploaded(device, data.data(), data.size() * sizeof(T), usage);
+}
+
+class GpuImage {
+ public:
+  GpuImage() = default;
+  // One level; more than one layer makes an array view.
+  GpuImage(const Device&, VkExtent2D, VkFormat, VkImageUsageFlags, std::uint32_t layers = 1,
+           bool arrayView = false);
+
+  operator VkImage() const { return image_; }
+  VkImageView view() const { return view_; }
+  VkExtent2D extent() const { return extent_; }
+  VkFormat format() const { return format_; }
+  VkImageAspectFlags aspect() const { return aspect_; }
+  VkDeviceSize bytes() const { return bytes_; }  // of memory
+
+ private:
+  Memory memory_;
+  Handle<VkImage, vkDestroyImage> image_;
+  Handle<VkImageView, vkDestroyImageView> view_;
+  VkExtent2D extent_{};
+  VkFormat format_ = VK_FORMAT_UNDEFINED;
+  VkImageAspectFlags aspect_ = 0;
+  VkDeviceSize bytes_ = 0;
+};
+
+// Everything before is finished and visible to everything after. One barrier for all: passes are few and
+// long.
+void barrier(VkCommandBuffer);
+
+// Moves an image to a layout, all earlier work done.
+void transition(VkCommandBuffer, const GpuImage&, VkImageLayout from, VkImageLayout to);
+
+// The whole of an image, texels tightly packed. The image must be in SHADER_READ_ONLY_OPTIMAL layout, and
+// stays in it.
+void copyToBuffer(VkCommandBuffer, const GpuImage&, const Buffer&);
+void copyToImage(VkCommandBuffer, const Buffer&, const GpuImage&);
+
+// Contents, on the host. An image must be in SHADER_READ_ONLY_OPTIMAL layout, and stays in it.
+std::vector<std::byte> downloaded(const Device&, const Buffer&);
+std::vector<std::byte> downloaded(const Device&, const GpuImage&, VkDeviceSize bytesPerTexel);
+
+}  // namespace sundial

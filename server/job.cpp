@@ -1,0 +1,259 @@
+#include "job.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cstring>
+
+#include "shadow/camera.h"
+#include "shadow/frame.h"
+#include "shadow/frame_runner.h"
+
+namespace sundial {
+
+namespace {
+
+constexpr unsigned kMaxSide = 8192;
+
+// Linear interpolation between order statistics; of one value it is that value.
+Quartiles quartilesOf(std::vector<double> values) {
+  std::ranges::sort(values);
+  const auto at = [&](double q) {
+    const double position = q * static_cast<double>(values.size() - 1);
+    const auto below = static_cast<std::size_t>(position);
+    const std::size_t above = std::min(below + 1, values.size() - 1);
+    return values[below] + (position - static_cast<double>(below)) * (values[above] - values[below]);
+  };
+  return {at(0.25), at(0.5), at(0.75)};
+}
+
+bool wants(const RenderJob& job, Aov aov) { return std::ranges::find(job.images, aov) != job.images.end(); }
+
+// What every method of a job is held against.
+struct Truth {
+  std::vector<shared::ViewSample> samples;
+  std::vector<float> visibility;  // empty unless traced
+};
+
+Truth takeTruth(const Device& device, const ViewTarget& target, const FrameView& view, bool trace) {
+  const auto positions = downloaded(device, target.positions, sizeof(glm::uvec4));
+  const auto normals = downloaded(device, target.normals, sizeof(glm::uvec4));
+  Truth truth{.samples = std::vector<shared::ViewSample>(positions.size() / sizeof(glm::uvec4)),
+              .visibility = {}};
+  gatherSamples(reinterpret_cast<const glm::uvec4*>(positions.data()),
+                reinterpret_cast<const glm::uvec4*>(normals.data()), truth.samples);
+  if (trace) {
+    truth.visibility.resize(truth.samples.size());
+    view.reference->trace(truth.samples, view.light, view.origin, truth.visibility);
+  }
+  return truth;
+}
+
+std::vector<shared::Answer> takeAnswers(const Device& device, const ViewTarget& target, const Frame& frame) {
+  device.submit([&](VkCommandBuffer command) { frame.recordAnswers(command); });
+  const auto bytes = downloaded(device, target.answers, sizeof(shared::Answer));
+  std::vector<shared::Answer> answers(bytes.size() / sizeof(shared::Answer));
+  std::memcpy(answers.data(), bytes.data(), bytes.size());
+  return answers;
+}
+
+std::vector<PlanView> planViews(const shared::Plan& plan, const glm::dvec3& origin) {
+  glm::dmat4 relativeFromWorld(1);
+  relativeFromWorld[3] = glm::dvec4(-origin, 1);
+  std::vector<PlanView> views;
+  for (std::uint32_t v = 0; v < plan.viewCount; ++v)
+    views.push_back({glm::dmat4(plan.views[v].shadowFromWorld) * relativeFromWorld, plan.views[v]});
+  return views;
+}
+
+template <class T>
+Image makeImage(Aov aov, Image::Format format, glm::uvec2 size, const std::vector<T>& pixels) {
+  Image image{
+      .aov = aov, .format = format, .size = size, .bytes = std::vector<std::byte>(pixels.size() * sizeof(T))};
+  std::memcpy(image.bytes.data(), pixels.data(), image.bytes.size());
+  return image;
+}
+
+// One value a pixel, from its sample or answer.
+template <class Value, class Source, class Function>
+std::vector<Value> eachPixel(const std::vector<Source>& source, Function function) {
+  std::vector<Value> out(source.size());
+  std::ranges::transform(source, out.begin(), function);
+  return out;
+}
+
+Image takeImage(Aov aov, const JobContext& context, const FrameView& view, const Truth& truth,
+                const std::vector<shared::Answer>& answers) {
+  using Format = Image::Format;
+  using Sample = shared::ViewSample;
+  const glm::uvec2 size = context.target.size();
+  const Scene& scene = *context.scene.scene;
+  switch (aov) {
+    case Aov::colour:
+      return {aov, Format::rgba8, size, downloaded(context.device, context.target.colour, 4)};
+    case Aov::visibility:
+      return {aov, Format::r32f, size, downloaded(context.device, context.target.visibility, 4)};
+    case Aov::reference:
+      return makeImage(aov, Format::r32f, size, truth.visibility);
+    case Aov::position:
+      return makeImage(aov, Format::rgb32f, size, eachPixel<glm::vec3>(truth.samples, [&](const Sample& s) {
+                         return s.instance == shared::kNoInstance
+                                    ? glm::vec3(0)
+                                    : glm::vec3(glm::dvec3(s.wsPosition) + view.origin);
+                       }));
+    case Aov::normal:
+      return makeImage(aov, Format::rgb32f, size,
+                       eachPixel<glm::vec3>(truth.samples, [](const Sample& s) { return s.wsNormal; }));
+    case Aov::id:
+      return makeImage(aov, Format::rg32u, size, eachPixel<glm::uvec2>(truth.samples, [&](const Sample& s) {
+                         return s.instance == shared::kNoInstance
+                                    ? glm::uvec2(shared::kNoInstance)
+                                    : glm::uvec2(s.instance, scene.sourceTriangle[s.triangle]);
+                       }));
+    case Aov::view:
+      return makeImage(aov, Format::r32u, size,
+                       answers.empty()
+                           ? std::vector<std::uint32_t>(truth.samples.size(), shared::kNoShadowView)
+                           : eachPixel<std::uint32_t>(answers, [](const auto& a) { return a.view; }));
+  }
+  return {};
+}
+
+Measures measured(const JobContext& context, const RenderJob& job, const Truth& truth, const Frame& frame,
+                  const FrameView& view, const std::vector<shared::Answer>& answers) {
+  const glm::vec3 forward(glm::normalize(job.view.target - job.view.eye));
+  const auto depth = eachPixel<float>(
+      truth.samples, [&](const auto& s) { return glm::dot(s.wsPosition - view.constants.wsEye, forward); });
+  const auto bytes = downloaded(context.device, context.target.visibility, sizeof(float));
+  std::vector<float> visibility(bytes.size() / sizeof(float));
+  std::memcpy(visibility.data(), bytes.data(), bytes.size());
+  return measure({.size = job.size,
+                  .samples = truth.samples,
+                  .viewDepth = depth,
+                  .visibility = visibility,
+                  .reference = truth.visibility,
+                  .answers = answers,
+                  .storeTexels = frame.storeTexels()});
+}
+
+// Timed frames of a method and its baseline, in turn; the method's is the last, so that the target holds its
+// images.
+struct Series {
+  std::vector<FrameTiming> frames;
+  std::vector<double> ratios;  // frame time over the baseline's, pair by pair
+};
+
+Result<Series> timeFrames(const Device& device, const Frame& frame, const Frame* baseline,
+                          unsigned repetitions, const Interrupt& interrupt) {
+  const auto passes = frame.passes();
+  const auto basePasses = baseline ? baseline->passes() : std::vector<Pass>{};
+  Series series;
+  // A round before the first is the warm-up: it isn't kept when there are others.
+  for (unsigned round = 0; round <= repetitions; ++round) {
+    const bool kept = repetitions == 0 || round > 0;
+    double baseMs = 0;
+    if (baseline) {
+      auto timing = runFrame(device, basePasses, interrupt);
+      if (!timing) return std::unexpected(timing.error());
+      baseMs = timing->frameMs;
+    }
+    auto timing = runFrame(device, passes, interrupt);
+    if (!timing) return std::unexpected(timing.error());
+    if (!kept) continue;
+    if (baseline) series.ratios.push_back(timing->frameMs / baseMs);
+    series.frames.push_back(std::move(*timing));
+  }
+  return series;
+}
+
+std::vector<PassTiming> passTimings(const std::vector<Pass>& passes, const std::vector<FrameTiming>& frames) {
+  std::vector<PassTiming> out;
+  for (std::size_t i = 0; i < passes.size(); ++i) {
+    std::vector<double> ms;
+    for (const FrameTiming& frame : frames) ms.push_back(frame.passMs[i]);
+    out.push_back({std::string(passes[i].name), quartilesOf(std::move(ms)), frames.back().work[i]});
+  }
+  return out;
+}
+
+}  // namespace
+
+std::optional<std::string> whyInvalid(const RenderJob& job, const Device& device) {
+  if (!job.scene) return "scene: none is given";
+  const unsigned most = std::min(kMaxSide, device.limits().maxImageDimension2D);
+  if (job.size.x < 1 || job.size.y < 1 || job.size.x > most || job.size.y > most)
+    return fmt::format("size: {}x{} pixels; each side must be in [1, {}]", job.size.x, job.size.y, most);
+  if (job.methods.empty()) return "methods: none is given";
+  if (auto why = whyInvalid(job.view)) return why;
+  if (auto why = whyInvalid(job.light)) return why;
+  for (const Method& method : job.methods) {
+    const auto limit = device.limits().maxImageDimension2D;
+    if (method.stages && std::max(method.settings.width, method.settings.height) > limit)
+      return fmt::format("method {}: this device's maps have at most {} texels a side", method.label(),
+                         limit);
+  }
+  return std::nullopt;
+}
+
+Result<void> runJob(const JobContext& context, const RenderJob& job, const Interrupt& interrupt,
+                    JobSink& sink) {
+  const Scene& scene = *context.scene.scene;
+  const glm::dvec3 origin = frameOrigin(scene, job.view);
+  context.scene.buffers.moveTo(context.device, origin);
+
+  const bool traceTruth = job.measures || wants(job, Aov::reference);
+  const auto isTraced = [](const Method& m) { return m.row->technique == Technique::rayTraced; };
+  const bool needsReference =
+      traceTruth || std::ranges::any_of(job.methods, isTraced) || (job.baseline && isTraced(*job.baseline));
+  if (needsReference && !context.scene.reference)
+    context.scene.reference = std::make_unique<Reference>(context.scene.scene);
+
+  Light light = job.light;
+  light.direction = glm::normalize(light.direction);
+  const FrameView view{.device = context.device,
+                       .pipelines = context.pipelines,
+                       .scene = context.scene.buffers,
+                       .target = context.target,
+                       .reference = context.scene.reference.get(),
+                       .light = light,
+                       .origin = origin,
+                       .constants = frameConstants(scene, job.view, light, job.size, origin)};
+
+  std::optional<Frame> baseline;
+  if (job.baseline && job.repetitions > 0) baseline.emplace(view, *job.baseline);
+  std::optional<Truth> truth;
+  for (std::size_t i = 0; i < job.methods.size(); ++i) {
+    const Method& method = job.methods[i];
+    const Frame frame(view, method);
+    auto series =
+        timeFrames(context.device, frame, baseline ? &*baseline : nullptr, job.repetitions, interrupt);
+    if (!series) return std::unexpected(series.error());
+
+    const bool samplesWanted = traceTruth || wants(job, Aov::position) || wants(job, Aov::normal) ||
+                               wants(job, Aov::id) || wants(job, Aov::view);
+    if (samplesWanted && !truth) truth = takeTruth(context.device, context.target, view, traceTruth);
+    if (auto error = interrupt.raised()) return std::unexpected(*error);
+    std::vector<shared::Answer> answers;
+    if (method.stages && (job.measures || wants(job, Aov::view)))
+      answers = takeAnswers(context.device, context.target, frame);
+
+    MethodResult result{.method = method, .plan = planViews(frame.downloadPlan(), origin)};
+    sink.onPlan(i, result.plan);
+    for (const Aov aov : job.images)
+      sink.onImage(i, takeImage(aov, context, view, truth ? *truth : Truth{}, answers));
+
+    std::vector<double> frameMs;
+    for (const FrameTiming& timing : series->frames) frameMs.push_back(timing.frameMs);
+    result.frameMs = quartilesOf(std::move(frameMs));
+    if (!series->ratios.empty()) result.ratio = quartilesOf(std::move(series->ratios));
+    result.passes = passTimings(frame.passes(), series->frames);
+    if (job.measures) result.measures = measured(context, job, *truth, frame, view, answers);
+    result.storeBytes = frame.storeBytes();
+    result.totalBytes = frame.totalBytes();
+    result.allocatedBytes = frame.storeBytes();
+    sink.onResult(i, std::move(result));
+  }
+  return {};
+}
+
+}  // namespace sundial

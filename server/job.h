@@ -1,0 +1,36 @@
+// One job, step by step: frames timed in turn with the baseline, images, measures.
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <string>
+
+#include "reference/reference.h"
+#include "renderer.h"
+#include "shadow/frame_pipelines.h"
+#include "shadow/scene_buffers.h"
+#include "shadow/view_target.h"
+
+namespace sundial {
+
+// What a device holds of a scene.
+struct ResidentScene {
+  std::weak_ptr<const Scene> owner;
+  std::shared_ptr<const Scene> scene;  // owns nothing
+  SceneBuffers buffers;
+  std::unique_ptr<Reference> reference = nullptr;  // built when first asked for
+};
+
+struct JobContext {
+  const Device& device;
+  const FramePipelines& pipelines;
+  const ViewTarget& target;  // of the job's size
+  ResidentScene& scene;
+};
+
+std::optional<std::string> whyInvalid(const RenderJob&, const Device&);
+
+// Errors and exceptions as Renderer::run.
+Result<void> runJob(const JobContext&, const RenderJob&, const Interrupt&, JobSink&);
+
+}  // namespace sundial

@@ -1,0 +1,67 @@
+// Errors as gRPC says them.
+#pragma once
+
+#include <grpcpp/support/status.h>
+
+#include "result.h"
+
+namespace sundial {
+
+inline grpc::StatusCode statusCode(ErrorCode code) {
+  switch (code) {
+    case ErrorCode::invalidArgument:
+      return grpc::StatusCode::INVALID_ARGUMENT;
+    case ErrorCode::notFound:
+      return grpc::StatusCode::NOT_FOUND;
+    case ErrorCode::failedPrecondition:
+      return grpc::StatusCode::FAILED_PRECONDITION;
+    case ErrorCode::resourceExhausted:
+      return grpc::StatusCode::RESOURCE_EXHAUSTED;
+    case ErrorCode::deadlineExceeded:
+      return grpc::StatusCode::DEADLINE_EXCEEDED;
+    case ErrorCode::cancelled:
+      return grpc::StatusCode::CANCELLED;
+    case ErrorCode::dataLoss:
+      return grpc::StatusCode::DATA_LOSS;
+    case ErrorCode::unavailable:
+      return grpc::StatusCode::UNAVAILABLE;
+  }
+  return grpc::StatusCode::UNKNOWN;
+}
+
+// One line, short enough for a client's limit on metadata (8 KiB, escaped).
+inline grpc::Status toStatus(const Error& error) {
+  std::string message = error.message.substr(0, 2000);
+  for (char& c : message) {
+    if (static_cast<unsigned char>(c) < 0x20 || c == 0x7f) c = ' ';
+  }
+  return {statusCode(error.code), std::move(message)};
+}
+
+// As logs and metrics print it: "OK", "NOT_FOUND".
+inline const char* statusName(grpc::StatusCode code) {
+  switch (code) {
+    case grpc::StatusCode::OK:
+      return "OK";
+    case grpc::StatusCode::INVALID_ARGUMENT:
+      return "INVALID_ARGUMENT";
+    case grpc::StatusCode::NOT_FOUND:
+      return "NOT_FOUND";
+    case grpc::StatusCode::FAILED_PRECONDITION:
+      return "FAILED_PRECONDITION";
+    case grpc::StatusCode::RESOURCE_EXHAUSTED:
+      return "RESOURCE_EXHAUSTED";
+    case grpc::StatusCode::DEADLINE_EXCEEDED:
+      return "DEADLINE_EXCEEDED";
+    case grpc::StatusCode::CANCELLED:
+      return "CANCELLED";
+    case grpc::StatusCode::DATA_LOSS:
+      return "DATA_LOSS";
+    case grpc::StatusCode::UNAVAILABLE:
+      return "UNAVAILABLE";
+    default:
+      return "UNKNOWN";
+  }
+}
+
+}  // namespace sundial

@@ -1,0 +1,82 @@
+// One frame of one method: the list of its passes, and the memory that they need.
+#pragma once
+
+#include <functional>
+#include <memory>
+
+#include "reference/reference.h"
+#include "shadow/frame_pipelines.h"
+#include "shadow/method.h"
+#include "shadow/scene_buffers.h"
+#include "shadow/view_target.h"
+#include "shared/plan.h"
+
+namespace sundial {
+
+// A step of the frame, on the device or on the host.
+struct Pass {
+  std::string_view name;
+  std::function<void(VkCommandBuffer)> record;  // device work, or
+  std::function<void()> host;                   // host work, done when all earlier passes are
+  std::uint64_t rays = 0;                       // traced by a host pass
+};
+
+// What all methods that render one view share.
+struct FrameView {
+  const Device& device;
+  const FramePipelines& pipelines;
+  const SceneBuffers& scene;
+  const ViewTarget& target;
+  const Reference* reference;  // for Technique::rayTraced
+  Light light;
+  glm::dvec3 origin;                 // world position of GPU coordinates' zero
+  shared::FrameConstants constants;  // frameConstants()
+};
+
+class Frame {
+ public:
+  Frame(const FrameView&, const Method&);
+  Frame(const Frame&) = delete;
+  Frame& operator=(const Frame&) = delete;
+
+  // In the order of execution.
+  std::vector<Pass> passes() const;
+  // What answered each sample, into the target's `answers`; for methods with a map, after the passes.
+  void recordAnswers(VkCommandBuffer) const;
+
+  shared::Plan downloadPlan() const;  // viewCount 0 for methods without a map
+  std::uint64_t storeTexels() const;
+  std::uint64_t storeBytes() const;
+  std::uint64_t totalBytes() const;  // with the plan, the lists of culling and what analysis needs
+
+ private:
+  void gbuffer(VkCommandBuffer) const;
+  void analyze(VkCommandBuffer) const;
+  void plan(VkCommandBuffer) const;
+  void cull(VkCommandBuffer, std::uint32_t firstSlot, std::uint32_t slots) const;
+  void store(VkCommandBuffer) const;
+  void resolve(VkCommandBuffer) const;
+  void shade(VkCommandBuffer) const;
+  void readSamples(VkCommandBuffer) const;
+  void trace() const;
+  void takeVisibility(VkCommandBuffer) const;
+
+  void drawSlot(VkCommandBuffer, std::uint32_t slot, VkPipeline opaque, VkPipeline masked,
+                bool cullFaces) const;
+  void push(VkCommandBuffer, std::uint32_t) const;
+
+  FrameView view_;
+  Method method_;
+  std::uint32_t shadowViews_;  // the plan's most
+  Buffer constants_, analysis_, plan_, commands_, visible_, counts_;
+  std::optional<GpuImage> map_;
+  Sampler nearest_;
+  BindingSet bindings_;
+  // Ray tracing alone: view samples on their way to the host, visibility on its way back.
+  std::optional<Buffer> hostPositions_, hostNormals_, hostVisibility_;
+};
+
+// An image pair as the target holds it, put together: one ViewSample a pixel.
+void gatherSamples(const glm::uvec4* positions, const glm::uvec4* normals, std::span<shared::ViewSample>);
+
+}  // namespace sundial

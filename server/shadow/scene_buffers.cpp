@@ -1,0 +1,134 @@
+#include "shadow/scene_buffers.h"
+
+#include <cstring>
+
+#include "shared/bindings.h"
+
+namespace sundial {
+
+namespace {
+
+constexpr VkBufferUsageFlags kStorage = VK_BUFFER_USAGE_STORAGE_BUFFER_BIT;
+
+std::uint32_t bucketOf(const MaterialInfo& material, const Instance& instance) {
+  const bool mirrored = glm::determinant(glm::dmat3(instance.worldFromMesh)) < 0;
+  const std::uint32_t cull = material.doubleSided ? 0 : mirrored ? 2 : 1;
+  return (material.masked ? shared::kFirstMaskedBucket : 0) + cull;
+}
+
+// Every cluster of every instance, sorted by bucket, each bucket filled up to whole chunks.
+std::vector<shared::Draw> listDraws(const Scene& scene, std::array<glm::uvec2, shared::kBuckets>& buckets) {
+  std::array<std::vector<shared::Draw>, shared::kBuckets> sorted;
+  for (std::uint32_t i = 0; i < scene.instances.size(); ++i) {
+    const Mesh& mesh = scene.meshes[scene.instances[i].mesh];
+    for (std::uint32_t c = mesh.firstCluster; c < mesh.firstCluster + mesh.clusterCount; ++c)
+      sorted[bucketOf(scene.materials[scene.clusters[c].material], scene.instances[i])].push_back({i, c});
+  }
+  std::vector<shared::Draw> draws;
+  for (std::uint32_t b = 0; b < shared::kBuckets; ++b) {
+    while (sorted[b].size() % shared::kDrawsPerChunk) sorted[b].push_back({shared::kNoInstance, 0});
+    buckets[b] = {draws.size() / shared::kDrawsPerChunk, sorted[b].size() / shared::kDrawsPerChunk};
+    draws.insert(draws.end(), sorted[b].begin(), sorted[b].end());
+  }
+  return draws;
+}
+
+GpuImage uploadTextures(const Device& device, const Scene& scene) {
+  const bool any = !scene.textures.empty();
+  const VkExtent2D extent{any ? scene.textureSize.x : 1, any ? scene.textureSize.y : 1};
+  const auto layers = any ? static_cast<std::uint32_t>(scene.textures.size()) : 1u;
+  GpuImage image(device, extent, VK_FORMAT_R8G8B8A8_UNORM,
+                 VK_IMAGE_USAGE_SAMPLED_BIT | VK_IMAGE_USAGE_TRANSFER_DST_BIT, layers, true);
+  const VkDeviceSize layerBytes = VkDeviceSize{4} * extent.width * extent.height;
+  const Buffer staging(device, layerBytes * layers, 0, MemoryUse::upload);
+  for (std::size_t i = 0; i < scene.textures.size(); ++i)
+    std::memcpy(staging.mapped<std::byte>() + i * layerBytes, scene.textures[i].data(), layerBytes);
+  device.submit([&](VkCommandBuffer command) {
+    transition(command, image, VK_IMAGE_LAYOUT_UNDEFINED, VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL);
+    const VkBufferImageCopy region{.imageSubresource = {VK_IMAGE_ASPECT_COLOR_BIT, 0, 0, layers},
+                                   .imageExtent = {extent.width, extent.height, 1}};
+    vkCmdCopyBufferToImage(command, staging, image, VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL, 1, &region);
+    transition(command, image, VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL,
+               VK_IMAGE_LAYOUT_SHADER_READ_ONLY_OPTIMAL);
+  });
+  return image;
+}
+
+std::vector<shared::Material> gpuMaterials(const Scene& scene) {
+  std::vector<shared::Material> out;
+  for (const MaterialInfo& material : scene.materials) out.push_back(material.gpu);
+  return out;
+}
+
+}  // namespace
+
+SceneBuffers::SceneBuffers(const Device& device, std::shared_ptr<const Scene> scene)
+    : scene_(std::move(scene)),
+      vertices_(uploaded(device, scene_->vertices, kStorage | VK_BUFFER_USAGE_VERTEX_BUFFER_BIT)),
+      attributes_(uploaded(device, scene_->attributes, kStorage | VK_BUFFER_USAGE_VERTEX_BUFFER_BIT)),
+      indices_(uploaded(device, scene_->indices, kStorage | VK_BUFFER_USAGE_INDEX_BUFFER_BIT)),
+      clusters_(uploaded(device, scene_->clusters, kStorage)),
+      materials_(uploaded(device, gpuMaterials(*scene_), kStorage)),
+      textures_(uploadTextures(device, *scene_)),
+      sampler_(makeSampler(device, VK_FILTER_LINEAR)) {
+  const std::vector<shared::Draw> draws = listDraws(*scene_, buckets_);
+  drawCount_ = static_cast<std::uint32_t>(draws.size());
+  draws_ = uploaded(device, draws, kStorage);
+}
+
+VkDeviceSize SceneBuffers::bytes() const {
+  return vertices_.size() + attributes_.size() + indices_.size() + clusters_.size() + draws_.size() +
+         instances_.size() + materials_.size() + textures_.bytes();
+}
+
+void SceneBuffers::moveTo(const Device& device, const glm::dvec3& origin) {
+  if (origin_ == origin) return;
+  std::vector<shared::Instance> placed;
+  placed.reserve(scene_->instances.size());
+  for (const Instance& instance : scene_->instances) {
+    glm::dmat4 m = instance.worldFromMesh;
+    m[3] -= glm::dvec4(origin, 0);
+    const glm::dmat4 rows = glm::transpose(m);
+    placed.push_back({{glm::vec4(rows[0]), glm::vec4(rows[1]), glm::vec4(rows[2])}});
+  }
+  instances_ = uploaded(device, placed, kStorage);
+  origin_ = origin;
+}
+
+void SceneBuffers::bindTo(BindingSet& set) const {
+  set.set(shared::kBindVertices, vertices_);
+  set.set(shared::kBindAttributes, attributes_);
+  set.set(shared::kBindIndices, indices_);
+  set.set(shared::kBindClusters, clusters_);
+  set.set(shared::kBindDraws, draws_);
+  set.set(shared::kBindInstances, instances_);
+  set.set(shared::kBindMaterials, materials_);
+  set.set(shared::kBindTextures, textures_, sampler_);
+}
+
+void SceneBuffers::bindVertices(VkCommandBuffer command, bool withAttributes) const {
+  const VkBuffer buffers[] = {vertices_, attributes_};
+  const VkDeviceSize offsets[] = {0, 0};
+  vkCmdBindVertexBuffers(command, 0, withAttributes ? 2 : 1, buffers, offsets);
+  vkCmdBindIndexBuffer(command, indices_, 0, VK_INDEX_TYPE_UINT32);
+}
+
+std::vector<VkVertexInputBindingDescription> SceneBuffers::vertexBindings(bool withAttributes) {
+  std::vector<VkVertexInputBindingDescription> out{{0, sizeof(shared::Vertex), VK_VERTEX_INPUT_RATE_VERTEX}};
+  if (withAttributes) out.push_back({1, sizeof(shared::Attributes), VK_VERTEX_INPUT_RATE_VERTEX});
+  return out;
+}
+
+std::vector<VkVertexInputAttributeDescription> SceneBuffers::vertexAttributes(bool withTriangle,
+                                                                              bool withAttributes) {
+  std::vector<VkVertexInputAttributeDescription> out{
+      {0, 0, VK_FORMAT_R32G32B32_SFLOAT, offsetof(shared::Vertex, position)}};
+  if (withTriangle) out.push_back({1, 0, VK_FORMAT_R32_UINT, offsetof(shared::Vertex, triangle)});
+  if (withAttributes) {
+    out.push_back({2, 1, VK_FORMAT_R32G32_SFLOAT, offsetof(shared::Attributes, uv)});
+    out.push_back({3, 1, VK_FORMAT_R8G8B8A8_UNORM, offsetof(shared::Attributes, colour)});
+  }
+  return out;
+}
+
+}  // namespace sundial

@@ -1,0 +1,42 @@
+// What is bound where (shared/bindings.h), declared once.
+#ifndef SUNDIAL_BINDINGS_GLSL
+#define SUNDIAL_BINDINGS_GLSL
+
+#include "shared/bindings.h"
+#include "shared/frame.h"
+#include "shared/plan.h"
+#include "shared/scene.h"
+
+layout(set = 0, binding = kBindFrame, scalar) uniform FrameBlock { FrameConstants frame; };
+layout(set = 0, binding = kBindVertices, scalar) readonly buffer VertexBlock { Vertex vertices[]; };
+layout(set = 0, binding = kBindAttributes, scalar) readonly buffer AttributeBlock { Attributes attributes[]; };
+layout(set = 0, binding = kBindIndices, scalar) readonly buffer IndexBlock { uint indices[]; };
+layout(set = 0, binding = kBindClusters, scalar) readonly buffer ClusterBlock { Cluster clusters[]; };
+layout(set = 0, binding = kBindDraws, scalar) readonly buffer DrawBlock { Draw draws[]; };
+layout(set = 0, binding = kBindInstances, scalar) readonly buffer InstanceBlock { Instance instances[]; };
+layout(set = 0, binding = kBindMaterials, scalar) readonly buffer MaterialBlock { Material materials[]; };
+layout(set = 0, binding = kBindAnalysis, scalar) buffer AnalysisBlock { Analysis analysis; };
+layout(set = 0, binding = kBindPlan, scalar) buffer PlanBlock { Plan plan; };
+layout(set = 0, binding = kBindCommands, scalar) writeonly buffer CommandBlock { DrawCommand commands[]; };
+layout(set = 0, binding = kBindVisible, scalar) buffer VisibleBlock { uvec2 visible[]; };
+layout(set = 0, binding = kBindCounts, scalar) writeonly buffer CountBlock { uint counts[]; };
+layout(set = 0, binding = kBindTextures) uniform sampler2DArray textures;
+layout(set = 0, binding = kBindDepth) uniform sampler2D gbufferDepth;
+layout(set = 0, binding = kBindIds) uniform usampler2D gbufferIds;
+layout(set = 0, binding = kBindPositions) uniform usampler2D samplePositions;
+layout(set = 0, binding = kBindNormals) uniform usampler2D sampleNormals;
+layout(set = 0, binding = kBindStore) uniform sampler2D store;
+layout(set = 0, binding = kBindVisibility) uniform sampler2D visibility;
+
+vec3 worldFromMesh(uint instance, vec3 position) {
+  const Instance i = instances[instance];
+  const vec4 p = vec4(position, 1);
+  return vec3(dot(i.worldFromMesh[0], p), dot(i.worldFromMesh[1], p), dot(i.worldFromMesh[2], p));
+}
+
+ViewSample sampleAt(ivec2 pixel) {
+  const uvec4 position = texelFetch(samplePositions, pixel, 0), normal = texelFetch(sampleNormals, pixel, 0);
+  return ViewSample(uintBitsToFloat(position.xyz), position.w, uintBitsToFloat(normal.xyz), normal.w);
+}
+
+#endif

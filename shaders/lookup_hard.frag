@@ -1,0 +1,6 @@
+#version 460
+#extension GL_GOOGLE_include_directive : require
+// lookup=hard: the texel that the sample falls into [Williams 1978].
+#include "resolve.glsl"
+
+float lookup(uint view, Receiver r) { return litBy(r, ivec2(floor(r.texel))); }

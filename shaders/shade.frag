@@ -1,0 +1,43 @@
+#version 460
+#extension GL_GOOGLE_include_directive : require
+// Base colour under one light and a sky: enough to see the shadows, and nothing more.
+#include "light.glsl"
+#include "material.glsl"
+
+layout(location = 0) out vec4 outColour;
+
+vec3 srgbFromLinear(vec3 c) {
+  return mix(12.92 * c, 1.055 * pow(c, vec3(1 / 2.4)) - 0.055, greaterThan(c, vec3(0.0031308)));
+}
+
+// Barycentric weights of a point in a triangle's plane, by the ratios of areas.
+vec3 barycentric(vec3 p, vec3 a, vec3 b, vec3 c) {
+  const vec3 n = cross(b - a, c - a);
+  const float area2 = dot(n, n);
+  const float v = dot(cross(p - a, c - a), n) / area2, w = dot(cross(b - a, p - a), n) / area2;
+  return clamp(vec3(1 - v - w, v, w), 0, 1);
+}
+
+void main() {
+  const ivec2 pixel = ivec2(gl_FragCoord.xy);
+  const ViewSample s = sampleAt(pixel);
+  outColour = vec4(0);
+  if (s.instance == kNoInstance) return;
+
+  const Draw draw = draws[texelFetch(gbufferIds, pixel, 0).x];
+  const Material material = materials[clusters[draw.cluster].material];
+  const uint i0 = indices[3 * s.triangle], i1 = indices[3 * s.triangle + 1], i2 = indices[3 * s.triangle + 2];
+  const vec3 weights = barycentric(s.wsPosition, worldFromMesh(s.instance, vertices[i0].position),
+                                   worldFromMesh(s.instance, vertices[i1].position),
+                                   worldFromMesh(s.instance, vertices[i2].position));
+  const vec2 uv = mat3x2(attributes[i0].uv, attributes[i1].uv, attributes[i2].uv) * weights;
+  const vec4 vertexColour = mat3x4(unpackUnorm4x8(attributes[i0].colour), unpackUnorm4x8(attributes[i1].colour),
+                                   unpackUnorm4x8(attributes[i2].colour)) *
+                            weights;
+  const vec3 albedo = baseColour(material, uv, vertexColour).rgb;
+
+  const float lit = texelFetch(visibility, pixel, 0).r;
+  const float cosine = max(dot(s.wsNormal, towardsLight(s.wsPosition)), 0);
+  const vec3 sky = mix(vec3(0.16, 0.15, 0.14), vec3(0.26, 0.30, 0.38), 0.5 + 0.5 * s.wsNormal.y);
+  outColour = vec4(srgbFromLinear(clamp(albedo * (sky + vec3(1.0, 0.95, 0.85) * (lit * cosine)), 0, 1)), 1);
+}

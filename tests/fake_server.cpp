@@ -61,7 +61,8 @@ grpc::Status FakeServer::ListMethods(grpc::ServerContext*, const v1::ListMethods
   return grpc::Status::OK;
 }
 
-grpc::Status FakeServer::GetServerInfo(grpc::ServerContext*, const v1::GetServerInfoRequest*, v1::ServerInfo* info) {
+grpc::Status FakeServer::GetServerInfo(grpc::ServerContext*, const v1::GetServerInfoRequest*,
+                                       v1::ServerInfo* info) {
   info->set_device("fake device");
   info->set_driver("fake driver 1.0");
   return grpc::Status::OK;
@@ -76,7 +77,8 @@ grpc::Status FakeServer::ListScenes(grpc::ServerContext*, const v1::ListScenesRe
   return grpc::Status::OK;
 }
 
-grpc::Status FakeServer::LoadScene(grpc::ServerContext*, const v1::LoadSceneRequest* request, v1::SceneInfo* info) {
+grpc::Status FakeServer::LoadScene(grpc::ServerContext*, const v1::LoadSceneRequest* request,
+                                   v1::SceneInfo* info) {
   if (request->scene() != "builtin:discs")
     return {grpc::NOT_FOUND, "scene '" + request->scene() + "' isn't there;\nthere is builtin:discs"};
   info->set_reference(request->scene());
@@ -85,7 +87,8 @@ grpc::Status FakeServer::LoadScene(grpc::ServerContext*, const v1::LoadSceneRequ
   return grpc::Status::OK;
 }
 
-grpc::Status FakeServer::UploadScene(grpc::ServerContext* context, grpc::ServerReader<v1::UploadSceneRequest>* reader,
+grpc::Status FakeServer::UploadScene(grpc::ServerContext* context,
+                                     grpc::ServerReader<v1::UploadSceneRequest>* reader,
                                      v1::SceneInfo* info) {
   if (const grpc::Status status = misbehave(*context); !status.ok()) return status;
   uploaded.clear();
@@ -104,7 +107,8 @@ grpc::Status FakeServer::UploadScene(grpc::ServerContext* context, grpc::ServerR
   return grpc::Status::OK;
 }
 
-grpc::Status FakeServer::UnloadScene(grpc::ServerContext*, const v1::UnloadSceneRequest*, v1::UnloadSceneResponse*) {
+grpc::Status FakeServer::UnloadScene(grpc::ServerContext*, const v1::UnloadSceneRequest*,
+                                     v1::UnloadSceneResponse*) {
   return grpc::Status::OK;
 }
 

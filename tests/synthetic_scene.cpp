@@ -76,7 +76,8 @@ v1::Accepted acceptedOf(const v1::RenderRequest& request) {
     accepted.mutable_view()->set_vertical_fov_degrees(50);
   }
   *accepted.mutable_light() = request.light();
-  if (!request.has_light()) set(*accepted.mutable_light()->mutable_sun()->mutable_direction(), {kSunX, -1, kSunZ});
+  if (!request.has_light())
+    set(*accepted.mutable_light()->mutable_sun()->mutable_direction(), {kSunX, -1, kSunZ});
   return accepted;
 }
 
@@ -121,13 +122,26 @@ std::string SyntheticScene::image(const v1::MethodChoice& method, v1::Aov aov) c
         if (!s.hit) append<std::uint8_t>(bytes, {120, 150, 190, 0});
         break;
       }
-      case v1::VISIBILITY: append(bytes, {visible(method, s) ? 1.0f : 0.0f}); break;
-      case v1::REFERENCE: append(bytes, {s.lit ? 1.0f : 0.0f}); break;
-      case v1::POSITION: append(bytes, {s.hit ? x : 0, 0.0f, s.hit ? z : 0}); break;
-      case v1::NORMAL: append(bytes, {0.0f, s.hit ? 1.0f : 0.0f, 0.0f}); break;
-      case v1::ID: append<std::uint32_t>(bytes, {s.hit ? 3 : kNone, s.hit ? 16777217u : kNone}); break;
-      case v1::VIEW: append<std::uint32_t>(bytes, {s.hit && !isTraced(method) ? 0 : kNone}); break;
-      default: break;
+      case v1::VISIBILITY:
+        append(bytes, {visible(method, s) ? 1.0f : 0.0f});
+        break;
+      case v1::REFERENCE:
+        append(bytes, {s.lit ? 1.0f : 0.0f});
+        break;
+      case v1::POSITION:
+        append(bytes, {s.hit ? x : 0, 0.0f, s.hit ? z : 0});
+        break;
+      case v1::NORMAL:
+        append(bytes, {0.0f, s.hit ? 1.0f : 0.0f, 0.0f});
+        break;
+      case v1::ID:
+        append<std::uint32_t>(bytes, {s.hit ? 3 : kNone, s.hit ? 16777217u : kNone});
+        break;
+      case v1::VIEW:
+        append<std::uint32_t>(bytes, {s.hit && !isTraced(method) ? 0 : kNone});
+        break;
+      default:
+        break;
     }
   }
   return bytes;
@@ -139,8 +153,8 @@ v1::Plan SyntheticScene::plan(const v1::MethodChoice& method) const {
   v1::PlanView& view = *plan.add_views();
   const double half = texelSize(method) * texelsOf(method) / 2;
   // Seen along the sun: x' = x + y kSunX, z' = z + y kSunZ are constant along a ray of light.
-  for (const double value : {1 / half, kSunX / half, 0.0, 0.0, 0.0, kSunZ / half, 1 / half, 0.0, 0.0, 0.05, 0.0, 0.5,
-                             0.0, 0.0, 0.0, 1.0})
+  for (const double value : {1 / half, kSunX / half, 0.0, 0.0, 0.0, kSunZ / half, 1 / half, 0.0, 0.0, 0.05,
+                             0.0, 0.5, 0.0, 0.0, 0.0, 1.0})
     view.add_shadow_from_world(value);
   const auto texels = static_cast<std::uint32_t>(texelsOf(method));
   for (const std::uint32_t value : {0u, 0u, texels, texels}) view.add_rect(value);

@@ -7,11 +7,11 @@
 namespace sundial::page {
 
 struct ChartPoint {
-  std::string label;            // "sm,texels=1024"
-  std::string family;           // points of one family are joined in order of time: "sm"
-  double ms = 0;                // median frame time, > 0
+  std::string label;                // "sm,texels=1024"
+  std::string family;               // points of one family are joined in order of time: "sm"
+  double ms = 0;                    // median frame time, > 0
   double lowerMs = 0, upperMs = 0;  // its quartiles
-  double wrong = 0;             // share of pixels with geometry, [0, 1]; 0 lies in a band of its own
+  double wrong = 0;                 // share of pixels with geometry, [0, 1]; 0 lies in a band of its own
 };
 
 // An SVG element that takes its colours from the reader's light or dark scheme; also a file by itself.

@@ -20,7 +20,8 @@ std::optional<glm::dmat4> shadowFromWorld(const v1::PlanView& view) {
 }  // namespace
 
 std::optional<LightSpace> LightSpace::of(const v1::Light& light, const v1::Plan& plan) {
-  const auto first = std::ranges::find_if(plan.views(), [](const v1::PlanView& view) { return !view.empty(); });
+  const auto first =
+      std::ranges::find_if(plan.views(), [](const v1::PlanView& view) { return !view.empty(); });
   if (first == plan.views().end()) return std::nullopt;
   const auto matrix = shadowFromWorld(*first);
   LightSpace space;

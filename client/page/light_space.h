@@ -19,7 +19,8 @@ class LightSpace {
   // Where a world point lies; nothing behind a spot.
   std::optional<glm::dvec2> project(glm::dvec3 wsPoint) const;
 
-  // The four corners of a view's rectangle, in the order of its rows and columns; nothing if one has no image.
+  // The four corners of a view's rectangle, in the order of its rows and columns; nothing if one has no
+  // image.
   std::optional<std::vector<glm::dvec2>> outline(const v1::PlanView&) const;
 
   bool metres() const { return !spot_; }

@@ -16,4 +16,7 @@ std::string inlineMark(std::size_t index);
 // CSS colour of the mark, and of the index-th of anything else that needs telling apart.
 std::string colourOf(std::size_t index);
 
+// Of text on that colour: black or white, whichever contrasts.
+std::string inkOn(std::size_t index);
+
 }  // namespace sundial::page

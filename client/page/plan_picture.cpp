@@ -21,8 +21,9 @@ constexpr const char* kOpen =
     R"svg(<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 720 720" font-family="system-ui,sans-serif"><rect width="720" height="720" fill="#14171b"/>)svg";
 
 std::string note(std::string_view text) {
-  return fmt::format(R"svg({}<text x="360" y="360" text-anchor="middle" font-size="20" fill="#9aa4af">{}</text></svg>)svg",
-                     kOpen, escaped(text));
+  return fmt::format(
+      R"svg({}<text x="360" y="360" text-anchor="middle" font-size="20" fill="#9aa4af">{}</text></svg>)svg",
+      kOpen, escaped(text));
 }
 
 // From light space to the drawing: one scale, centred.
@@ -32,7 +33,9 @@ struct Fit {
     least = glm::min(least, point);
     most = glm::max(most, point);
   }
-  double scale() const { return (kSide - 2 * kMargin) / std::max({most.x - least.x, most.y - least.y, 1e-9}); }
+  double scale() const {
+    return (kSide - 2 * kMargin) / std::max({most.x - least.x, most.y - least.y, 1e-9});
+  }
   glm::dvec2 at(glm::dvec2 point) const { return kSide / 2 + (point - 0.5 * (least + most)) * scale(); }
 };
 
@@ -44,7 +47,8 @@ std::vector<glm::dvec2> samplesOf(const client::MethodRendering& rendering, cons
   const auto xyz = image::numbersOf<float>(*position);
   for (std::size_t i = 0; 3 * i + 2 < xyz.size(); ++i) {
     if (colour->bytes[4 * i + 3] == 0) continue;  // no geometry
-    if (const auto point = space.project({xyz[3 * i], xyz[3 * i + 1], xyz[3 * i + 2]})) samples.push_back(*point);
+    if (const auto point = space.project({xyz[3 * i], xyz[3 * i + 1], xyz[3 * i + 2]}))
+      samples.push_back(*point);
   }
   return samples;
 }
@@ -63,14 +67,15 @@ image::Picture density(const std::vector<glm::dvec2>& samples, const Fit& fit) {
     const auto channel = [&](double from, double to) {
       return static_cast<std::uint8_t>(std::lround(from + (to - from) * level));
     };
-    picture.pixels.insert(picture.pixels.end(), {channel(0x14, 0xee), channel(0x17, 0xf0), channel(0x1b, 0xf2)});
+    picture.pixels.insert(picture.pixels.end(),
+                          {channel(0x14, 0xee), channel(0x17, 0xf0), channel(0x1b, 0xf2)});
   }
   return picture;
 }
 
 // A view's outline, a line every eighth of its texels, and what it is.
-std::string drawView(const v1::PlanView& view, int index, const std::vector<glm::dvec2>& corners, const Fit& fit,
-                     bool labelled, bool metres) {
+std::string drawView(const v1::PlanView& view, int index, const std::vector<glm::dvec2>& corners,
+                     const Fit& fit, bool labelled, bool metres) {
   std::vector<glm::dvec2> at;
   for (const glm::dvec2 corner : corners) at.push_back(fit.at(corner));
   const std::string colour = colourOf(static_cast<std::size_t>(index) + 4);  // sky blue first: light on dark
@@ -80,13 +85,14 @@ std::string drawView(const v1::PlanView& view, int index, const std::vector<glm:
     const double t = step / 8.0;
     const glm::dvec2 top = glm::mix(at[0], at[1], t), bottom = glm::mix(at[3], at[2], t);
     const glm::dvec2 left = glm::mix(at[0], at[3], t), right = glm::mix(at[1], at[2], t);
-    grid += fmt::format("M{:.1f},{:.1f}L{:.1f},{:.1f}M{:.1f},{:.1f}L{:.1f},{:.1f}", top.x, top.y, bottom.x, bottom.y,
-                        left.x, left.y, right.x, right.y);
+    grid += fmt::format("M{:.1f},{:.1f}L{:.1f},{:.1f}M{:.1f},{:.1f}L{:.1f},{:.1f}", top.x, top.y, bottom.x,
+                        bottom.y, left.x, left.y, right.x, right.y);
   }
   svg += fmt::format(R"svg(<path d="{}" stroke-width="0.7" opacity="0.45"/>)svg", grid);
-  svg += fmt::format(R"svg(<path d="M{:.1f},{:.1f}L{:.1f},{:.1f}L{:.1f},{:.1f}L{:.1f},{:.1f}Z" stroke-width="2.5"{}/></g>)svg",
-                     at[0].x, at[0].y, at[1].x, at[1].y, at[2].x, at[2].y, at[3].x, at[3].y,
-                     view.empty() ? R"( stroke-dasharray="5 5")" : "");
+  svg += fmt::format(
+      R"svg(<path d="M{:.1f},{:.1f}L{:.1f},{:.1f}L{:.1f},{:.1f}L{:.1f},{:.1f}Z" stroke-width="2.5"{}/></g>)svg",
+      at[0].x, at[0].y, at[1].x, at[1].y, at[2].x, at[2].y, at[3].x, at[3].y,
+      view.empty() ? R"( stroke-dasharray="5 5")" : "");
   if (!labelled || view.rect_size() != 4) return svg;
   const glm::dvec2 corner = glm::min(glm::min(at[0], at[1]), glm::min(at[2], at[3]));
   svg += fmt::format(
@@ -111,7 +117,8 @@ std::string scaleBar(const Fit& fit, bool metres) {
 std::string planPicture(const client::MethodRendering& rendering, const v1::Light& light) {
   if (rendering.plan.views().empty()) return note("this method needs no shadow map: no plan");
   const auto space = LightSpace::of(light, rendering.plan);
-  if (!space) return note(fmt::format("a plan of {} views that no one plane shows", rendering.plan.views_size()));
+  if (!space)
+    return note(fmt::format("a plan of {} views that no one plane shows", rendering.plan.views_size()));
 
   Fit fit;
   std::vector<std::pair<int, std::vector<glm::dvec2>>> outlines;

@@ -41,8 +41,9 @@ Expected<std::string> resolve(const HostPort& address) {
   hints.ai_socktype = SOCK_STREAM;
   addrinfo* found = nullptr;
   if (const int error = getaddrinfo(address.host.c_str(), address.port.c_str(), &hints, &found); error != 0)
-    return fail(StatusCode::UNAVAILABLE, fmt::format("can't resolve '{}': {}; check the name or give its IPv4 address",
-                                                     address.host, gai_strerror(error)));
+    return fail(StatusCode::UNAVAILABLE,
+                fmt::format("can't resolve '{}': {}; check the name or give its IPv4 address", address.host,
+                            gai_strerror(error)));
   const std::unique_ptr<addrinfo, decltype(&freeaddrinfo)> owner(found, &freeaddrinfo);
   std::array<char, INET_ADDRSTRLEN> text{};
   const auto* ip = reinterpret_cast<const sockaddr_in*>(found->ai_addr);

@@ -4,6 +4,7 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <cstdio>
+#include <cstdlib>
 #include <exception>
 
 #include "command/command.h"
@@ -43,6 +44,7 @@ int complain(std::string line, int status) {
 }
 
 int run(int argc, char** argv) {
+  setenv("GRPC_VERBOSITY", "NONE", 0);  // failures are told once, by us
   GlobalOptions options;
   Action action;
   CLI::App app("Renders shadows with many methods, and says how wrong each is and what it costs.", "sundial");

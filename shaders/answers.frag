@@ -16,7 +16,7 @@ float pixelsOf(ViewSample s, vec3 wsStep) {
 void main() {
   const ViewSample s = sampleAt(ivec2(gl_FragCoord.xy));
   Answer a = Answer(kNoShadowView, 0, 0.0, 0);
-  if (s.instance != kNoInstance && facesLight(s)) {
+  if (facesLight(s)) {
     a.facesLight = 1;
     a.view = chooseView(s);
     if (a.view != kNoShadowView) {

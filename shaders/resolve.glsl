@@ -11,7 +11,7 @@ float lookup(uint view, Receiver r);
 void main() {
   const ViewSample s = sampleAt(ivec2(gl_FragCoord.xy));
   outVisibility = 0;
-  if (s.instance == kNoInstance || !facesLight(s)) return;
+  if (!facesLight(s)) return;
   const uint view = chooseView(s);
   outVisibility = view == kNoShadowView ? 1.0 : lookup(view, receiverIn(view, s));
 }

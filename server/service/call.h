@@ -58,9 +58,12 @@ struct CallContext {
   Timer& timer;
   CallLimits limits;
   std::function<void(const CallRecord&)> onEnd;  // any thread, concurrently; must not throw or wait
+  std::function<void(const std::string& why)>
+      onBroken;  // once the device has failed kMaxFailures times in a row
   std::string idPrefix;
   std::atomic<std::uint64_t> lastId = 0;
   std::atomic<std::uint64_t> uploadBytes = 0;  // in flight
+  std::atomic<unsigned> failures = 0;          // of the device, in a row
   CallCount calls;                             // renderings and uploads
 };
 
@@ -83,6 +86,7 @@ std::string clientOf(const grpc::CallbackServerContext&);
 // When a rendering must be done: what the client says, within the server's limits.
 std::chrono::steady_clock::time_point deadlineOf(const grpc::CallbackServerContext&, const CallLimits&);
 
+inline constexpr unsigned kMaxFailures = 3;
 inline constexpr const char* kRetryKey = "sundial-retry-ms";
 inline constexpr std::size_t kChunkBytes = 256 << 10;
 

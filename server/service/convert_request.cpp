@@ -28,7 +28,7 @@ Result<glm::dvec3> finite(const v1::Vec3& v, const std::string& field) {
 
 Result<glm::dvec3> direction(const glm::dvec3& v, const std::string& field, const std::string& what) {
   const double length = glm::length(v);
-  if (length < 1e-12) return invalid(fmt::format("{}: {}", field, what));
+  if (length < 1e-12) return invalid(fmt::format("{} {}", field, what));
   return v / length;
 }
 
@@ -111,7 +111,7 @@ Result<View> fromProto(const v1::View& in, const std::string& field) {
     if (!*v) return std::unexpected(v->error());
   }
   const auto forward = direction(*target - *eye, field + ".target",
-                                 fmt::format("{} is where eye is: must differ", text(*target)));
+                                 fmt::format("is {}, where eye is: must differ", text(*target)));
   if (!forward) return std::unexpected(forward.error());
   const auto upward = direction(*up, field + ".up", "is 0,0,0: must be a direction");
   if (!upward) return std::unexpected(upward.error());
@@ -148,7 +148,7 @@ Result<Light> fromProto(const v1::Light& in, const std::string& field) {
       const auto target = finite(in.spot().target(), field + ".spot.target");
       if (!target) return std::unexpected(target.error());
       const auto unit = direction(*target - *eye, field + ".spot.target",
-                                  fmt::format("{} is where eye is: must differ", text(*target)));
+                                  fmt::format("is {}, where eye is: must differ", text(*target)));
       if (!unit) return std::unexpected(unit.error());
       light.kind = LightKind::spot;
       light.position = *eye;

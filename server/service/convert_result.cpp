@@ -114,6 +114,11 @@ void toProto(const MethodRow& in, v1::Method* out) {
   out->set_name(std::string(in.name));
   out->set_title(std::string(in.title));
   out->set_source(std::string(in.source));
+  if (in.stages) {
+    for (const std::string_view stage : stageNames()) {
+      (*out->mutable_stages())[std::string(stage)] = stageChoice(*in.stages, stage);
+    }
+  }
   for (const Parameter& parameter : parametersOf(in)) {
     v1::Parameter* to = out->add_parameters();
     to->set_name(std::string(parameter.name));

@@ -104,6 +104,12 @@ void RenderReactor::render(const RenderJob& job, Renderer& renderer, const Inter
     }
   }();
   const double ms = std::chrono::duration<double, std::milli>(Clock::now() - began).count();
+  if (result) {
+    context_.failures = 0;
+  } else if (result.error().code == ErrorCode::unavailable && ++context_.failures == kMaxFailures &&
+             context_.onBroken) {
+    context_.onBroken(result.error().message);
+  }
   if (!result && result.error().code == ErrorCode::cancelled) {
     if (auto why = ticket_->cancelledWith()) result = std::unexpected(std::move(*why));
   }

@@ -39,24 +39,27 @@ Server::Server(ServerOptions&& options, std::unique_ptr<Renderer> renderer, Scen
                .timer = timer_,
                .limits = options.calls,
                .onEnd = std::move(options.onEnd),
+               .onBroken = std::move(options.onBroken),
                .idPrefix = randomPrefix(),
                .calls = {}},
       service_(context_) {}
 
 Result<std::unique_ptr<Server>> Server::start(ServerOptions options, std::unique_ptr<Renderer> renderer,
                                               SceneSource source) {
-  const std::vector<std::string> addresses = options.listen;
-  auto copy = options;
-  auto server = std::unique_ptr<Server>(new Server(std::move(copy), std::move(renderer), std::move(source)));
+  auto server =
+      std::unique_ptr<Server>(new Server(ServerOptions(options), std::move(renderer), std::move(source)));
   if (auto listening = server->listen(options); !listening)
     return std::unexpected(std::move(listening.error()));
   return server;
 }
 
 Result<void> Server::listen(const ServerOptions& options) {
-  // A path in use must be told beforehand: gRPC takes it away from a server that still listens on it.
+  // Told beforehand: gRPC takes a path away from a server that still listens on it, and a port modulo 65536.
   for (const std::string& address : options.listen) {
-    if (!address.starts_with("unix:")) continue;
+    if (!address.starts_with("unix:")) {
+      if (auto why = whyMalformed(address)) return invalid(std::move(*why));
+      continue;
+    }
     if (auto why = whyNotListening(address)) return fail(ErrorCode::failedPrecondition, std::move(*why));
   }
   grpc::EnableDefaultHealthCheckService(true);
@@ -87,6 +90,7 @@ Result<void> Server::listen(const ServerOptions& options) {
           "they are PEM files that belong together");
     return fail(ErrorCode::failedPrecondition, "can't listen: give another address");
   }
+  grpc_->GetHealthCheckService()->SetServingStatus(v1::Sundial::service_full_name(), true);
   for (std::size_t i = 0; i < ports.size(); ++i) {
     const std::string& address = options.listen[i];
     const bool path = address.starts_with("unix");

@@ -27,13 +27,17 @@ struct ServerOptions {
   QueueLimits queue;
   StoreOptions store;
   CallLimits calls;
-  std::function<void(const CallRecord&)> onEnd;  // any thread, concurrently; must not throw or wait
+  // Any thread, concurrently; must not throw or wait.
+  std::function<void(const CallRecord&)> onEnd;
+  std::function<void(const std::string& why)>
+      onBroken;  // the device fails again and again: stop, and start anew
 };
 
 class Server {
  public:
   // Listens when this returns. Errors: failedPrecondition for an address that can't be had, saying why and
-  // what to try; invalidArgument for certificates that can't be used.
+  // what to try; invalidArgument for one that is
+  // malformed, and for certificates that can't be used.
   static Result<std::unique_ptr<Server>> start(ServerOptions, std::unique_ptr<Renderer>, SceneSource);
   ~Server();  // stop() without waiting for anybody
 
@@ -59,6 +63,9 @@ class Server {
   std::unique_ptr<grpc::Server> grpc_;
   bool stopped_ = false;
 };
+
+// What is wrong with HOST:PORT as a text; nothing if it is well formed.
+std::optional<std::string> whyMalformed(const std::string& address);
 
 // Why nothing can listen there: "port 50051 is in use ..."; nothing if it can. `address` as in ServerOptions.
 std::optional<std::string> whyNotListening(const std::string& address);

@@ -1,5 +1,6 @@
 #include "fake_server.h"
 
+#include <grpc/grpc.h>
 #include <grpcpp/health_check_service_interface.h>
 #include <grpcpp/security/server_credentials.h>
 #include <grpcpp/server_builder.h>
@@ -25,6 +26,7 @@ FakeServer::FakeServer() : FakeServer(std::string()) {}
 
 FakeServer::FakeServer(std::string address)
     : address_(address.empty() ? "unix:" + (folder_.path() / "s").string() : std::move(address)) {
+  grpc_init();  // and no shutdown: with the last server gRPC waits for a poller of its own, up to ten seconds
   grpc::EnableDefaultHealthCheckService(true);
   grpc::ServerBuilder builder;
   builder.AddListeningPort(address_, grpc::InsecureServerCredentials(), &port_);

@@ -38,7 +38,7 @@ TEST(Overlay, ColoursWrongPixelsAndDimsTheRest) {
   const image::Picture overlay = image::errorOverlay(colour, s, r);
   for (const unsigned right : {0u, 1u, 4u}) {
     const image::Rgb grey = pixel(overlay, right);
-    EXPECT_TRUE(grey.r == grey.g && grey.g == grey.b && grey.r < 110) << right;
+    EXPECT_TRUE(grey.r == grey.g && grey.g == grey.b && grey.r < 128) << right;
   }
   EXPECT_TRUE(same(pixel(overlay, 2), image::kFalseLit));
   EXPECT_TRUE(same(pixel(overlay, 3), image::kFalseShadow));

@@ -1,5 +1,6 @@
 // sundial: the command. Says what it is asked, runs it, and turns every failure into a status and one line.
 #include <fmt/format.h>
+#include <grpc/grpc.h>
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
@@ -73,6 +74,7 @@ int run(int argc, char** argv) {
   }
 
   const Interrupt interrupt;
+  grpc_init();  // and no shutdown: at its end gRPC waits for a poller of its own, up to ten seconds
   const auto end = [&](const std::string& line, int status) {
     if (interrupt.signal() == 0) return complain(line, status);
     return complain("interrupted", 128 + interrupt.signal());

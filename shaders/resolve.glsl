@@ -12,8 +12,12 @@ void main() {
   const ViewSample s = sampleAt(ivec2(gl_FragCoord.xy));
   outVisibility = 0;
   if (!facesLight(s)) return;
-  const uint view = chooseView(s);
-  outVisibility = view == kNoShadowView ? 1.0 : lookup(view, receiverIn(view, s));
+  for (uint view = 0; view < kPlanViews; ++view) {
+    if (!covers(view, s)) continue;
+    outVisibility = lookup(view, receiverIn(view, s));
+    return;
+  }
+  outVisibility = 1;
 }
 
 #endif

@@ -175,7 +175,8 @@ void Frame::resolve(VkCommandBuffer command) const {
 void Frame::shade(VkCommandBuffer command) const {
   bindings_.bind(command);
   renderInto(command, {&view_.target.colour}, nullptr, [&] {
-    vkCmdBindPipeline(command, VK_PIPELINE_BIND_POINT_GRAPHICS, view_.pipelines.shade);
+    vkCmdBindPipeline(command, VK_PIPELINE_BIND_POINT_GRAPHICS,
+                      view_.scene.plainColours() ? view_.pipelines.shadePlain : view_.pipelines.shade);
     vkCmdDraw(command, 3, 1, 0, 0);
   });
 }

@@ -1,5 +1,6 @@
 #include "shadow/scene_buffers.h"
 
+#include <algorithm>
 #include <cstring>
 #include <functional>
 
@@ -89,7 +90,10 @@ SceneBuffers::SceneBuffers(const Device& device, std::shared_ptr<const Scene> sc
       clusters_(uploaded(device, scene_->clusters, kStorage)),
       materials_(uploaded(device, gpuMaterials(*scene_), kStorage)),
       textures_(uploadTextures(device, *scene_)),
-      sampler_(makeSampler(device, VK_FILTER_LINEAR)) {
+      sampler_(makeSampler(device, VK_FILTER_LINEAR)),
+      plainColours_(scene_->textures.empty() && std::ranges::all_of(scene_->attributes, [](const auto& a) {
+                      return a.colour == 0xffffffffu;
+                    })) {
   const std::vector<shared::Draw> draws = listDraws(*scene_, buckets_);
   drawInstances_.reserve(draws.size());
   for (const shared::Draw& draw : draws) drawInstances_.push_back(draw.instance);

@@ -18,6 +18,7 @@ class SceneBuffers {
   // A multiple of shared::kDrawsPerChunk.
   std::uint32_t drawCount() const { return static_cast<std::uint32_t>(drawInstances_.size()); }
   const std::array<glm::uvec2, shared::kBuckets>& buckets() const { return buckets_; }  // first chunk, chunks
+  bool plainColours() const { return plainColours_; }  // no textures, all vertex colours white
   VkDeviceSize bytes() const;
 
   // Places the instances relative to this origin, if they aren't yet.
@@ -37,6 +38,7 @@ class SceneBuffers {
   GpuImage textures_;
   Sampler sampler_;
   std::array<glm::uvec2, shared::kBuckets> buckets_{};
+  bool plainColours_;
   std::vector<std::uint32_t> drawInstances_;  // instance of each draw
   std::optional<glm::dvec3> origin_;
 };

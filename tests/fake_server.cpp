@@ -1,5 +1,7 @@
 #include "fake_server.h"
 
+#include <grpc/grpc.h>
+#include <grpcpp/health_check_service_interface.h>
 #include <grpcpp/security/server_credentials.h>
 #include <grpcpp/server_builder.h>
 #include <stdlib.h>
@@ -20,12 +22,19 @@ TemporaryFolder::TemporaryFolder() {
 
 TemporaryFolder::~TemporaryFolder() { std::filesystem::remove_all(path_); }
 
-FakeServer::FakeServer() {
+FakeServer::FakeServer() : FakeServer(std::string()) {}
+
+FakeServer::FakeServer(std::string address)
+    : address_(address.empty() ? "unix:" + (folder_.path() / "s").string() : std::move(address)) {
+  grpc_init();  // and no shutdown: with the last server gRPC waits for a poller of its own, up to ten seconds
+  grpc::EnableDefaultHealthCheckService(true);
   grpc::ServerBuilder builder;
-  builder.AddListeningPort(address(), grpc::InsecureServerCredentials());
+  builder.AddListeningPort(address_, grpc::InsecureServerCredentials(), &port_);
+  builder.SetSyncServerOption(grpc::ServerBuilder::CQ_TIMEOUT_MSEC,
+                              100);  // else a shutdown may take ten seconds
   builder.RegisterService(this);
   server_ = builder.BuildAndStart();
-  if (!server_) throw std::runtime_error("can't listen at " + address());
+  if (!server_) throw std::runtime_error("can't listen at " + address_);
 }
 
 FakeServer::~FakeServer() { server_->Shutdown(std::chrono::system_clock::now()); }
@@ -128,6 +137,11 @@ grpc::Status FakeServer::Render(grpc::ServerContext* context, const v1::RenderRe
   v1::RenderEvent event;
   *event.mutable_accepted() = acceptedOf(*request);
   send(event);
+  if (hang) {
+    hang();
+    while (writer->Write(v1::RenderEvent())) continue;
+    return {grpc::CANCELLED, "the client went away"};
+  }
   const SyntheticScene scene(*request);
   for (int m = 0; m < request->methods_size(); ++m) {
     const auto method = static_cast<unsigned>(m);

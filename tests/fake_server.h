@@ -32,16 +32,19 @@ class TemporaryFolder {
 
 class FakeServer final : public v1::Sundial::Service {
  public:
-  FakeServer();
+  FakeServer();  // on a socket of its own
+  explicit FakeServer(std::string address);
   ~FakeServer() override;
 
-  std::string address() const { return "unix:" + (folder_.path() / "s").string(); }
+  const std::string& address() const { return address_; }
+  int port() const { return port_; }  // chosen, where the address is HOST:0
 
   // How it misbehaves. Set before a call.
   std::function<bool(v1::RenderEvent&)>
       tamper;                      // changes an event; false: the stream ends before it, with OK
   std::atomic<int> queueFull = 0;  // so many calls meet a full queue, retry after 1 ms
   std::atomic<int> lost = 0;       // so many calls end in UNAVAILABLE
+  std::function<void()> hang;      // called, and then renderings go on until they are cancelled
   grpc::Status refusal;            // of every rendering and upload, unless OK
 
   // What it got.
@@ -68,6 +71,8 @@ class FakeServer final : public v1::Sundial::Service {
   grpc::Status misbehave(grpc::ServerContext&);
 
   TemporaryFolder folder_;
+  std::string address_;
+  int port_ = 0;
   std::unique_ptr<grpc::Server> server_;
 };
 

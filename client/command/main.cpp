@@ -1,9 +1,11 @@
 // sundial: the command. Says what it is asked, runs it, and turns every failure into a status and one line.
 #include <fmt/format.h>
+#include <grpc/grpc.h>
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <cstdio>
+#include <cstdlib>
 #include <exception>
 
 #include "command/command.h"
@@ -43,6 +45,7 @@ int complain(std::string line, int status) {
 }
 
 int run(int argc, char** argv) {
+  setenv("GRPC_VERBOSITY", "NONE", 0);  // failures are told once, by us
   GlobalOptions options;
   Action action;
   CLI::App app("Renders shadows with many methods, and says how wrong each is and what it costs.", "sundial");
@@ -71,6 +74,7 @@ int run(int argc, char** argv) {
   }
 
   const Interrupt interrupt;
+  grpc_init();  // and no shutdown: at its end gRPC waits for a poller of its own, up to ten seconds
   const auto end = [&](const std::string& line, int status) {
     if (interrupt.signal() == 0) return complain(line, status);
     return complain("interrupted", 128 + interrupt.signal());

@@ -125,6 +125,7 @@ std::string encodeExr(const client::MethodRendering& rendering) {
   spec.nchannels = static_cast<int>(spec.channelnames.size());
   spec.alpha_channel = 3;
   spec["compression"] = "zip";
+  spec["DateTime"] = "1970:01:01 00:00:00";  // or the library writes the time of day
 
   // Pixel by pixel, the layers in turn.
   const std::size_t pixels = static_cast<std::size_t>(spec.width) * static_cast<std::size_t>(spec.height);

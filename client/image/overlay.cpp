@@ -29,7 +29,7 @@ Picture errorOverlay(const client::Image& colour, const client::Image& visibilit
   for (std::size_t i = 0; i < verdicts.size(); ++i) {
     std::uint8_t* pixel = &picture.pixels[3 * i];
     const int luma = (54 * pixel[0] + 183 * pixel[1] + 19 * pixel[2]) / 256;  // Rec. 709
-    const auto grey = static_cast<std::uint8_t>(luma / 3);
+    const auto grey = static_cast<std::uint8_t>(luma * 9 / 20);
     const Rgb shown = verdicts[i] == Verdict::right ? Rgb{grey, grey, grey} : colourOf(verdicts[i]);
     pixel[0] = shown.r;
     pixel[1] = shown.g;

@@ -8,6 +8,7 @@
 #include <map>
 #include <set>
 
+#include "image/picture.h"
 #include "page/mark.h"
 #include "page/units.h"
 
@@ -140,14 +141,17 @@ std::string passBars(const Comparison& comparison) {
   for (const v1::Result& result : comparison.report.results()) longest = std::max(longest, passSum(result));
   if (longest == 0) return "<p>No passes were timed.</p>\n";
   const std::vector<std::string> names = passNames(comparison.report);
+  const auto texture = [](std::size_t index) {
+    return index < image::kOkabeItoCount ? "" : " class=\"hatched\"";
+  };
   const auto place = [&](const std::string& name) {
     return static_cast<std::size_t>(std::ranges::find(names, name) - names.begin());
   };
 
   std::string html = "<p class=\"legend\">";
   for (const std::string& name : names)
-    html +=
-        fmt::format("<span><i style=\"background:{}\"></i>{}</span>", colourOf(place(name)), escaped(name));
+    html += fmt::format("<span><i{} style=\"background-color:{}\"></i>{}</span>", texture(place(name)),
+                        colourOf(place(name)), escaped(name));
   html += "</p>\n<div class=\"bars\">";
   for (std::size_t i = 0; i < comparison.labels.size(); ++i) {
     const v1::Result& result = comparison.report.results(static_cast<int>(i));
@@ -158,10 +162,11 @@ std::string passBars(const Comparison& comparison) {
       for (const auto& [name, count] : std::map<std::string, double>(pass.work().begin(), pass.work().end()))
         work += fmt::format("\n{}: {:.0f}", name, count);
       const double share = pass.gpu_ms() / longest;
-      html += fmt::format("<b style=\"width:{:.3f}%;background:{};color:{}\" title=\"{}: {} ms {}{}\">{}</b>",
-                          100 * share, colourOf(place(pass.name())), inkOn(place(pass.name())),
-                          escaped(pass.name()), milliseconds(pass.gpu_ms()), quartiles(pass.quartiles()),
-                          escaped(work), share > 0.06 ? escaped(pass.name()) : std::string());
+      html += fmt::format(
+          "<b{} style=\"width:{:.3f}%;background-color:{};color:{}\" title=\"{}: {} ms {}{}\">{}</b>",
+          texture(place(pass.name())), 100 * share, colourOf(place(pass.name())), inkOn(place(pass.name())),
+          escaped(pass.name()), milliseconds(pass.gpu_ms()), quartiles(pass.quartiles()), escaped(work),
+          share > 0.06 ? escaped(pass.name()) : std::string());
     }
     html += fmt::format("</div><span class=\"sum\">{} ms</span>\n", milliseconds(passSum(result)));
   }

@@ -76,10 +76,14 @@ Expected<std::shared_ptr<grpc::Channel>> connect(std::string_view addresses) {
     if (const auto address = splitHostPort(addresses); !address) return std::unexpected(address.error());
     target = addresses;
   } else {
+    std::vector<HostPort> servers;
     for (const std::string_view part : parts) {
-      const auto address = splitHostPort(part);
-      if (!address) return std::unexpected(address.error());
-      const auto ip = resolve(*address);
+      auto server = splitHostPort(part);
+      if (!server) return std::unexpected(server.error());
+      servers.push_back(std::move(*server));
+    }
+    for (const HostPort& server : servers) {
+      const auto ip = resolve(server);
       if (!ip) return std::unexpected(ip.error());
       target += (target.empty() ? "ipv4:" : ",") + *ip;
     }

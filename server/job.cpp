@@ -32,7 +32,8 @@ bool wants(const RenderJob& job, Aov aov) { return std::ranges::find(job.images,
 // What every method of a job is held against.
 struct Truth {
   std::vector<shared::ViewSample> samples;
-  std::vector<float> visibility;  // empty unless traced
+  std::vector<float> visibility;  // these two are empty unless traced
+  std::vector<std::uint8_t> facesLight;
 };
 
 Truth takeTruth(const Device& device, const ViewTarget& target, const FrameView& view, bool trace) {
@@ -44,7 +45,9 @@ Truth takeTruth(const Device& device, const ViewTarget& target, const FrameView&
                 reinterpret_cast<const glm::uvec4*>(normals.data()), truth.samples);
   if (trace) {
     truth.visibility.resize(truth.samples.size());
-    view.reference->trace(truth.samples, view.light, view.origin, truth.visibility);
+    view.reference->trace(truth.samples, view.light, view.origin, truth.visibility, target.size().x);
+    truth.facesLight.resize(truth.samples.size());
+    facesLight(truth.samples, view.light, view.origin, truth.facesLight);
   }
   return truth;
 }
@@ -133,7 +136,8 @@ Measures measured(const JobContext& context, const RenderJob& job, const Truth& 
                   .visibility = visibility,
                   .reference = truth.visibility,
                   .answers = answers,
-                  .storeTexels = frame.storeTexels()});
+                  .storeTexels = frame.storeTexels(),
+                  .facesLight = truth.facesLight});
 }
 
 // Timed frames of a method and its baseline, in turn; the method's is the last, so that the target holds its

@@ -1,5 +1,6 @@
 // sundiald: reads its flags, takes a device, serves until it is told to stop.
 #include <fmt/format.h>
+#include <grpc/grpc.h>
 #include <grpc/support/log.h>
 #include <signal.h>
 #include <spdlog/sinks/stdout_sinks.h>
@@ -81,6 +82,7 @@ int main(int argc, char** argv) {
   sigaddset(&signals, SIGTERM);
   sigaddset(&signals, SIGINT);
   pthread_sigmask(SIG_BLOCK, &signals, nullptr);
+  grpc_init();  // and no shutdown: at its end gRPC waits for a poller of its own, up to ten seconds
 
   std::unique_ptr<Metrics> metrics;
   if (!flags.metricsAddress.empty()) {

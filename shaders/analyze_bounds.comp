@@ -17,7 +17,7 @@ void main() {
     const uint pixel = first + i * 64;
     if (pixel >= pixelCount) break;
     const ViewSample s = sampleAt(ivec2(pixel % frame.imageSize.x, pixel / frame.imageSize.x));
-    if (s.instance == kNoInstance || !facesLight(s)) continue;
+    if (!facesLight(s)) continue;
     const vec4 ls = frame.lightFromWorld * vec4(s.wsPosition, 1);
     low = min(low, ls.xyz / ls.w);
     high = max(high, ls.xyz / ls.w);

@@ -13,17 +13,35 @@ float pixelsOf(ViewSample s, vec3 wsStep) {
   return length(ndcPerStep * 0.5 * vec2(frame.imageSize));
 }
 
+// The longer side of the texel's footprint on the receiver's plane, in pixels of the image.
+float footprint(uint view, ViewSample s) {
+  const ShadowView v = plan.views[view];
+  const vec4 clip = v.shadowFromWorld * vec4(s.wsPosition, 1);
+  const vec3 shadow = clip.xyz / clip.w;
+  // How the map's texels move along two tangents of the plane, and from that how the plane moves along the texels.
+  const vec3 axis = abs(s.wsNormal.y) < 0.9 ? vec3(0, 1, 0) : vec3(1, 0, 0);
+  const vec3 wsU = normalize(cross(axis, s.wsNormal)), wsV = cross(s.wsNormal, wsU);
+  const vec4 clipU = v.shadowFromWorld * vec4(wsU, 0), clipV = v.shadowFromWorld * vec4(wsV, 0);
+  const vec2 texelsPerUnit = 0.5 * vec2(v.rectSize) / clip.w;
+  const mat2 texelFromPlane = mat2((clipU.xy - shadow.xy * clipU.w) * texelsPerUnit,
+                                   (clipV.xy - shadow.xy * clipV.w) * texelsPerUnit);
+  if (determinant(texelFromPlane) == 0) return 0;
+  const mat2 planeFromTexel = inverse(texelFromPlane);
+  return max(pixelsOf(s, mat2x3(wsU, wsV) * planeFromTexel[0]), pixelsOf(s, mat2x3(wsU, wsV) * planeFromTexel[1]));
+}
+
 void main() {
   const ViewSample s = sampleAt(ivec2(gl_FragCoord.xy));
   Answer a = Answer(kNoShadowView, 0, 0.0, 0);
-  if (s.instance != kNoInstance && facesLight(s)) {
+  if (facesLight(s)) {
     a.facesLight = 1;
-    a.view = chooseView(s);
-    if (a.view != kNoShadowView) {
-      const Receiver r = receiverIn(a.view, s);
+    for (uint view = 0; view < kPlanViews && a.view == kNoShadowView; ++view) {
+      if (!covers(view, s)) continue;
+      const Receiver r = receiverIn(view, s);
       const uvec2 texel = uvec2(floor(r.texel));
+      a.view = view;
       a.texel = texel.y * frame.storeSize.x + texel.x;
-      a.footprint = max(pixelsOf(s, r.wsTexelX), pixelsOf(s, r.wsTexelY));
+      a.footprint = footprint(view, s);
     }
   }
   outAnswer = uvec4(a.view, a.texel, floatBitsToUint(a.footprint), a.facesLight);

@@ -8,18 +8,18 @@
 #include "shared/scene.h"
 
 layout(set = 0, binding = kBindFrame, scalar) uniform FrameBlock { FrameConstants frame; };
-layout(set = 0, binding = kBindVertices, scalar) readonly buffer VertexBlock { Vertex vertices[]; };
-layout(set = 0, binding = kBindAttributes, scalar) readonly buffer AttributeBlock { Attributes attributes[]; };
-layout(set = 0, binding = kBindIndices, scalar) readonly buffer IndexBlock { uint indices[]; };
 layout(set = 0, binding = kBindClusters, scalar) readonly buffer ClusterBlock { Cluster clusters[]; };
-layout(set = 0, binding = kBindDraws, scalar) readonly buffer DrawBlock { Draw draws[]; };
-layout(set = 0, binding = kBindInstances, scalar) readonly buffer InstanceBlock { Instance instances[]; };
 layout(set = 0, binding = kBindMaterials, scalar) readonly buffer MaterialBlock { Material materials[]; };
 layout(set = 0, binding = kBindAnalysis, scalar) buffer AnalysisBlock { Analysis analysis; };
 layout(set = 0, binding = kBindPlan, scalar) buffer PlanBlock { Plan plan; };
 layout(set = 0, binding = kBindCommands, scalar) writeonly buffer CommandBlock { DrawCommand commands[]; };
 layout(set = 0, binding = kBindVisible, scalar) buffer VisibleBlock { uvec2 visible[]; };
 layout(set = 0, binding = kBindCounts, scalar) writeonly buffer CountBlock { uint counts[]; };
+layout(set = 0, binding = kBindVertices) uniform usamplerBuffer vertexTexels;
+layout(set = 0, binding = kBindAttributes) uniform usamplerBuffer attributeTexels;
+layout(set = 0, binding = kBindTriangles) uniform usamplerBuffer triangleTexels;
+layout(set = 0, binding = kBindDraws) uniform usamplerBuffer drawTexels;
+layout(set = 0, binding = kBindInstances) uniform samplerBuffer instanceTexels;
 layout(set = 0, binding = kBindTextures) uniform sampler2DArray textures;
 layout(set = 0, binding = kBindDepth) uniform sampler2D gbufferDepth;
 layout(set = 0, binding = kBindIds) uniform usampler2D gbufferIds;
@@ -28,8 +28,30 @@ layout(set = 0, binding = kBindNormals) uniform usampler2D sampleNormals;
 layout(set = 0, binding = kBindStore) uniform sampler2D store;
 layout(set = 0, binding = kBindVisibility) uniform sampler2D visibility;
 
-vec3 worldFromMesh(uint instance, vec3 position) {
-  const Instance i = instances[instance];
+vec3 vertexPosition(uint vertex) { return uintBitsToFloat(texelFetch(vertexTexels, int(vertex)).xyz); }
+
+Attributes vertexAttributes(uint vertex) {
+  const uvec4 texel = texelFetch(attributeTexels, int(vertex));
+  return Attributes(uintBitsToFloat(texel.xy), texel.z, 0);
+}
+
+Triangle triangleAt(uint triangle) {
+  const uvec4 texel = texelFetch(triangleTexels, int(triangle));
+  return Triangle(uint[3](texel.x, texel.y, texel.z), texel.w);
+}
+
+Draw drawAt(uint draw) {
+  const uvec2 texel = texelFetch(drawTexels, int(draw)).xy;
+  return Draw(texel.x, texel.y);
+}
+
+Instance instanceAt(uint instance) {
+  const int first = 3 * int(instance);
+  return Instance(vec4[3](texelFetch(instanceTexels, first), texelFetch(instanceTexels, first + 1),
+                          texelFetch(instanceTexels, first + 2)));
+}
+
+vec3 placed(Instance i, vec3 position) {
   const vec4 p = vec4(position, 1);
   return vec3(dot(i.worldFromMesh[0], p), dot(i.worldFromMesh[1], p), dot(i.worldFromMesh[2], p));
 }

@@ -20,10 +20,10 @@ void makePlanes(mat4 m, bool camera) {
 bool reaches(Draw draw) {
   if (draw.instance == kNoInstance) return false;
   const Cluster cluster = clusters[draw.cluster];
-  const Instance place = instances[draw.instance];
+  const Instance place = instanceAt(draw.instance);
   const vec3 centre = 0.5 * (cluster.boundsMin + cluster.boundsMax);
   const vec3 extent = 0.5 * (cluster.boundsMax - cluster.boundsMin);
-  const vec3 wsCentre = worldFromMesh(draw.instance, centre);
+  const vec3 wsCentre = placed(place, centre);
   const vec3 wsExtent = vec3(dot(abs(place.worldFromMesh[0].xyz), extent), dot(abs(place.worldFromMesh[1].xyz), extent),
                              dot(abs(place.worldFromMesh[2].xyz), extent));
   for (int i = 0; i < 6; ++i)
@@ -40,7 +40,7 @@ void main() {
   if (camera || (slot <= plan.viewCount && plan.views[slot - 1].empty == 0)) {
     makePlanes(camera ? frame.clipFromWorld : plan.views[slot - 1].shadowFromWorld, camera);
     for (uint i = 0; i < kDrawsPerChunk; ++i)
-      if (reaches(draws[chunk * kDrawsPerChunk + i])) bits[i / 32] |= 1u << (i % 32);
+      if (reaches(drawAt(chunk * kDrawsPerChunk + i))) bits[i / 32] |= 1u << (i % 32);
   }
   visible[slot * chunkCount() + chunk] = bits;
 }

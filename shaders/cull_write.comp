@@ -24,7 +24,7 @@ void main() {
   for (uint i = 0; i < kDrawsPerChunk; ++i) {
     if ((bits[i / 32] >> (i % 32) & 1u) == 0) continue;
     const uint draw = chunk * kDrawsPerChunk + i;
-    const Cluster cluster = clusters[draws[draw].cluster];
+    const Cluster cluster = clusters[drawAt(draw).cluster];
     commands[target++] = DrawCommand(cluster.indexCount, 1, cluster.firstIndex, 0, draw);
   }
   if (chunk == last) counts[slot * kBuckets + bucket] = before + countOf(slot, chunk);

@@ -43,6 +43,7 @@ void main() {
 
   plan.viewCount = 1;
   plan.views[0].shadowFromWorld = shadowFromWorld;
+  plan.views[0].worldFromShadow = inverse(shadowFromWorld);
   plan.views[0].rectOffset = uvec2(0);
   plan.views[0].rectSize = frame.storeSize;
   plan.views[0].texelSize = 2 * half_.xy / size;

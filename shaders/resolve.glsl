@@ -11,9 +11,13 @@ float lookup(uint view, Receiver r);
 void main() {
   const ViewSample s = sampleAt(ivec2(gl_FragCoord.xy));
   outVisibility = 0;
-  if (s.instance == kNoInstance || !facesLight(s)) return;
-  const uint view = chooseView(s);
-  outVisibility = view == kNoShadowView ? 1.0 : lookup(view, receiverIn(view, s));
+  if (!facesLight(s)) return;
+  for (uint view = 0; view < kPlanViews; ++view) {
+    if (!covers(view, s)) continue;
+    outVisibility = lookup(view, receiverIn(view, s));
+    return;
+  }
+  outVisibility = 1;
 }
 
 #endif

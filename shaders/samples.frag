@@ -20,16 +20,16 @@ void main() {
   const float depth = texelFetch(gbufferDepth, pixel, 0).r;
   if (depth > 0) {
     const uvec2 id = texelFetch(gbufferIds, pixel, 0).xy;
-    const Instance place = instances[draws[id.x].instance];
-    s.instance = draws[id.x].instance;
+    s.instance = drawAt(id.x).instance;
     s.triangle = id.y;
 
     // Two edges and a corner, in the world.
-    const vec3 a = vertices[indices[3 * id.y]].position;
-    const vec3 ab = vertices[indices[3 * id.y + 1]].position - a;
-    const vec3 ac = vertices[indices[3 * id.y + 2]].position - a;
+    const Instance place = instanceAt(s.instance);
+    const Triangle triangle = triangleAt(id.y);
+    const vec3 a = vertexPosition(triangle.vertices[0]);
+    const vec3 ab = vertexPosition(triangle.vertices[1]) - a, ac = vertexPosition(triangle.vertices[2]) - a;
     const vec4 row0 = place.worldFromMesh[0], row1 = place.worldFromMesh[1], row2 = place.worldFromMesh[2];
-    const vec3 wsA = vec3(dot(row0.xyz, a), dot(row1.xyz, a), dot(row2.xyz, a)) + vec3(row0.w, row1.w, row2.w);
+    const vec3 wsA = placed(place, a);
     const vec3 wsAb = vec3(dot(row0.xyz, ab), dot(row1.xyz, ab), dot(row2.xyz, ab));
     const vec3 wsAc = vec3(dot(row0.xyz, ac), dot(row1.xyz, ac), dot(row2.xyz, ac));
     const vec3 crossed = cross(normalize(wsAb), normalize(wsAc));

@@ -4,6 +4,7 @@
 #include "light.glsl"
 #include "material.glsl"
 
+layout(constant_id = 0) const bool kPlainColours = false;  // the scene has neither textures nor vertex colours
 layout(location = 0) out vec4 outColour;
 
 vec3 srgbFromLinear(vec3 c) {
@@ -18,26 +19,32 @@ vec3 barycentric(vec3 p, vec3 a, vec3 b, vec3 c) {
   return clamp(vec3(1 - v - w, v, w), 0, 1);
 }
 
+vec3 albedoOf(ViewSample s) {
+  const Triangle triangle = triangleAt(s.triangle);
+  const Material material = materials[triangle.material];
+  if (kPlainColours) return material.baseColour.rgb;
+  const Instance place = instanceAt(s.instance);
+  vec3 corners[3];
+  Attributes at[3];
+  for (int i = 0; i < 3; ++i) {
+    corners[i] = placed(place, vertexPosition(triangle.vertices[i]));
+    at[i] = vertexAttributes(triangle.vertices[i]);
+  }
+  const vec3 weights = barycentric(s.wsPosition, corners[0], corners[1], corners[2]);
+  const vec2 uv = mat3x2(at[0].uv, at[1].uv, at[2].uv) * weights;
+  const vec4 vertexColour =
+      mat3x4(unpackUnorm4x8(at[0].colour), unpackUnorm4x8(at[1].colour), unpackUnorm4x8(at[2].colour)) * weights;
+  return baseColour(material, uv, vertexColour).rgb;
+}
+
 void main() {
   const ivec2 pixel = ivec2(gl_FragCoord.xy);
   const ViewSample s = sampleAt(pixel);
   outColour = vec4(0);
   if (s.instance == kNoInstance) return;
 
-  const Draw draw = draws[texelFetch(gbufferIds, pixel, 0).x];
-  const Material material = materials[clusters[draw.cluster].material];
-  const uint i0 = indices[3 * s.triangle], i1 = indices[3 * s.triangle + 1], i2 = indices[3 * s.triangle + 2];
-  const vec3 weights = barycentric(s.wsPosition, worldFromMesh(s.instance, vertices[i0].position),
-                                   worldFromMesh(s.instance, vertices[i1].position),
-                                   worldFromMesh(s.instance, vertices[i2].position));
-  const vec2 uv = mat3x2(attributes[i0].uv, attributes[i1].uv, attributes[i2].uv) * weights;
-  const vec4 vertexColour = mat3x4(unpackUnorm4x8(attributes[i0].colour), unpackUnorm4x8(attributes[i1].colour),
-                                   unpackUnorm4x8(attributes[i2].colour)) *
-                            weights;
-  const vec3 albedo = baseColour(material, uv, vertexColour).rgb;
-
   const float lit = texelFetch(visibility, pixel, 0).r;
   const float cosine = max(dot(s.wsNormal, towardsLight(s.wsPosition)), 0);
   const vec3 sky = mix(vec3(0.16, 0.15, 0.14), vec3(0.26, 0.30, 0.38), 0.5 + 0.5 * s.wsNormal.y);
-  outColour = vec4(srgbFromLinear(clamp(albedo * (sky + vec3(1.0, 0.95, 0.85) * (lit * cosine)), 0, 1)), 1);
+  outColour = vec4(srgbFromLinear(clamp(albedoOf(s) * (sky + vec3(1.0, 0.95, 0.85) * (lit * cosine)), 0, 1)), 1);
 }

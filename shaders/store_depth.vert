@@ -5,7 +5,8 @@
 
 layout(push_constant) uniform Push { uint view; };
 layout(location = 0) in vec3 position;
+layout(location = 4) in vec4 place[3];
 
 void main() {
-  gl_Position = plan.views[view].shadowFromWorld * vec4(worldFromMesh(draws[gl_InstanceIndex].instance, position), 1);
+  gl_Position = plan.views[view].shadowFromWorld * vec4(placed(Instance(place), position), 1);
 }

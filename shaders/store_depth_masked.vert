@@ -7,14 +7,14 @@ layout(push_constant) uniform Push { uint view; };
 layout(location = 0) in vec3 position;
 layout(location = 2) in vec2 uv;
 layout(location = 3) in vec4 colour;
+layout(location = 4) in vec4 place[3];
 layout(location = 0) out vec2 outUv;
 layout(location = 1) out float outAlpha;
 layout(location = 2) flat out uint outMaterial;
 
 void main() {
-  const Draw draw = draws[gl_InstanceIndex];
   outUv = uv;
   outAlpha = colour.a;
-  outMaterial = clusters[draw.cluster].material;
-  gl_Position = plan.views[view].shadowFromWorld * vec4(worldFromMesh(draw.instance, position), 1);
+  outMaterial = clusters[drawAt(gl_InstanceIndex).cluster].material;
+  gl_Position = plan.views[view].shadowFromWorld * vec4(placed(Instance(place), position), 1);
 }

@@ -12,13 +12,12 @@ namespace {
 
 void load(Session& session, const std::string& scene) {
   session.needServer("load");
-  const v1::SceneInfo info = isLocalFile(scene)
-                                 ? session.upload(orRefuse(client::gatherSceneFiles(scene)))
-                                 : session.answer(session.client().load(scene));
+  const v1::SceneInfo info = isLocalFile(scene) ? session.upload(orRefuse(client::gatherSceneFiles(scene)))
+                                                : session.answer(session.client().load(scene));
   if (session.options().json) return printJson(info);
   if (!session.options().quiet)
-    fmt::print("{}: {} triangles, {} instances, {:.1f} MiB\n", info.reference(), info.triangles(), info.instances(),
-               static_cast<double>(info.bytes()) / (1 << 20));
+    fmt::print("{}: {} triangles, {} instances, {:.1f} MiB\n", info.reference(), info.triangles(),
+               info.instances(), static_cast<double>(info.bytes()) / (1 << 20));
 }
 
 }  // namespace

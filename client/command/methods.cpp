@@ -60,7 +60,8 @@ void show(Session& session, const std::string& name) {
 }  // namespace
 
 void addMethods(CLI::App& app, Action& action) {
-  CLI::App* command = app.add_subcommand("methods", "Show the table of methods, or one row with its parameters");
+  CLI::App* command =
+      app.add_subcommand("methods", "Show the table of methods, or one row with its parameters");
   command->footer("Example:\n  sundial methods sm");
   const auto name = std::make_shared<std::string>();
   command->add_option("NAME", *name, "a row of the table");

@@ -38,13 +38,13 @@ std::vector<double> parseNumbers(std::string_view option, std::string_view text,
   for (const std::string_view part : split(text, ',')) {
     double number = 0;
     if (!readNumber(part, number) || !std::isfinite(number))
-      throw refusal(fmt::format("{}: '{}' is no number in '{}'; it wants {} separated by commas", option, part,
-                                text, count == 1 ? "one" : fmt::format("{} numbers", count)));
+      throw refusal(fmt::format("{}: '{}' is no number in '{}'; it wants {} separated by commas", option,
+                                part, text, count == 1 ? "one" : fmt::format("{} numbers", count)));
     numbers.push_back(number);
   }
   if (numbers.size() != count)
-    throw refusal(fmt::format("{}: '{}' has {} of {} numbers; separate them by commas, without spaces", option,
-                              text, numbers.size(), count));
+    throw refusal(fmt::format("{}: '{}' has {} of {} numbers; separate them by commas, without spaces",
+                              option, text, numbers.size(), count));
   return numbers;
 }
 
@@ -62,20 +62,22 @@ Size parseSize(std::string_view option, std::string_view text) {
   Size size{};
   if (x == std::string_view::npos || !readNumber(text.substr(0, x), size.width) ||
       !readNumber(text.substr(x + 1), size.height) || size.width == 0 || size.height == 0)
-    throw refusal(
-        fmt::format("{}: '{}' is no size; write WIDTHxHEIGHT in pixels, at least 1x1, e.g. 1024x768", option, text));
+    throw refusal(fmt::format(
+        "{}: '{}' is no size; write WIDTHxHEIGHT in pixels, at least 1x1, e.g. 1024x768", option, text));
   return size;
 }
 
 std::vector<v1::Aov> parseAovs(std::string_view option, std::string_view text) {
-  static constexpr v1::Aov kAll[] = {v1::VISIBILITY, v1::REFERENCE, v1::POSITION, v1::NORMAL, v1::ID, v1::VIEW};
+  static constexpr v1::Aov kAll[] = {v1::VISIBILITY, v1::REFERENCE, v1::POSITION,
+                                     v1::NORMAL,     v1::ID,        v1::VIEW};
   std::vector<v1::Aov> aovs{v1::COLOUR};
   if (text.empty()) return aovs;
   std::set<std::string_view> chosen;
   for (const std::string_view part : split(text, ',')) {
     if (part != "all" && std::ranges::find(kAll, part, client::aovName) == std::end(kAll))
       throw refusal(fmt::format(
-          "{}: there is no '{}'; there are visibility, reference, position, normal, id, view and all", option, part));
+          "{}: there is no '{}'; there are visibility, reference, position, normal, id, view and all", option,
+          part));
     chosen.insert(part);
   }
   for (const v1::Aov aov : kAll)

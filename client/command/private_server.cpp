@@ -62,7 +62,8 @@ fs::path findServer() {
     if (executable(candidate)) return candidate;
     path.remove_prefix(colon == std::string_view::npos ? path.size() : colon + 1);
   }
-  throw failure("there is no sundiald beside sundial or on the PATH; install it, set SUNDIALD, or give --server");
+  throw failure(
+      "there is no sundiald beside sundial or on the PATH; install it, set SUNDIALD, or give --server");
 }
 
 std::string lastLine(int file) {
@@ -135,7 +136,8 @@ class PrivateServer::Process {
     waitpid(pid_, &status, 0);
     dead_ = true;
     std::string line = lastLine(log_.get());
-    if (line.empty() && WIFSIGNALED(status)) line = fmt::format("it was ended by signal {}", WTERMSIG(status));
+    if (line.empty() && WIFSIGNALED(status))
+      line = fmt::format("it was ended by signal {}", WTERMSIG(status));
     if (line.empty()) line = fmt::format("it said nothing; status {}", WEXITSTATUS(status));
     return failure(fmt::format("sundiald didn't start: {}", line));
   }

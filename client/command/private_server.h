@@ -16,12 +16,13 @@ struct PrivateServerOptions {
   std::string device;     // empty: the server's choice
 };
 
-// Started by the constructor, stopped by the destructor: SIGTERM, and SIGKILL if that isn't enough. The kernel
-// ends the server if the command is killed; the socket and its folder are gone as soon as the connection stands.
+// Started by the constructor, stopped by the destructor: SIGTERM, and SIGKILL if that isn't enough. The
+// kernel ends the server if the command is killed; the socket and its folder are gone as soon as the
+// connection stands.
 class PrivateServer {
  public:
-  // Waits until the server answers. Throws Failure with the server's last line if it dies before, or when it is
-  // not found: beside this executable, as $SUNDIALD, or on the PATH.
+  // Waits until the server answers. Throws Failure with the server's last line if it dies before, or when it
+  // is not found: beside this executable, as $SUNDIALD, or on the PATH.
   PrivateServer(const PrivateServerOptions&, std::stop_token);
   ~PrivateServer();
   PrivateServer(const PrivateServer&) = delete;

@@ -39,8 +39,8 @@ std::vector<image::OutputFile> encode(const client::MethodRendering& rendering, 
   for (const client::Image& image : rendering.images) {
     fs::path own = path;
     if (image.aov != v1::COLOUR)
-      own.replace_filename(
-          fmt::format("{}-{}{}", path.stem().string(), client::aovName(image.aov), path.extension().string()));
+      own.replace_filename(fmt::format("{}-{}{}", path.stem().string(), client::aovName(image.aov),
+                                       path.extension().string()));
     files.push_back({own, encodePicture(image, type)});
   }
   return files;
@@ -53,7 +53,9 @@ void render(Session& session, const Options& options) {
   *request.add_methods() = orRefuse(client::parseMethodChoice(options.method));
   for (const v1::Aov aov : parseAovs("--aov", options.aovs)) request.add_images(aov);
   const auto type = image::fileType(options.output);
-  if (!type) throw refusal(fmt::format("-o: '{}' is no .png, .exr or .jpg; name the file with one of them", options.output));
+  if (!type)
+    throw refusal(
+        fmt::format("-o: '{}' is no .png, .exr or .jpg; name the file with one of them", options.output));
   if (const auto why = image::whyUnwritable(options.output)) throw refusal("-o: " + *why);
 
   request.set_scene(session.sceneReference(options.scene));
@@ -62,7 +64,8 @@ void render(Session& session, const Options& options) {
   image::writeFiles(files);
 
   if (session.options().json)
-    return printJson(makeReport(options.scene, request, rendering, session.answer(session.client().serverInfo())));
+    return printJson(
+        makeReport(options.scene, request, rendering, session.answer(session.client().serverInfo())));
   if (session.options().quiet) return;
   for (const image::OutputFile& file : files) fmt::print("{}\n", file.path.string());
 }
@@ -72,17 +75,24 @@ void render(Session& session, const Options& options) {
 void addRender(CLI::App& app, Action& action) {
   CLI::App* command = app.add_subcommand("render", "Render one view of a scene by one method into a file");
   command->footer(
-      "With --aov, an .exr holds the colour and all of the chosen images as channels. A .png or .jpg is a picture\n"
-      "of the chosen image; of several, FILE is the colour and each is a file of its own: FILE-visibility.png, ...\n"
+      "With --aov, an .exr holds the colour and all of the chosen images as channels. A .png or .jpg is a "
+      "picture\n"
+      "of the chosen image; of several, FILE is the colour and each is a file of its own: "
+      "FILE-visibility.png, ...\n"
       "\nExample:\n  sundial render builtin:atrium --method sm,texels=2048 --size 1024x1024 -o atrium.png");
   const auto options = std::make_shared<Options>();
   command->add_option("SCENE", options->scene, kSceneHelp)->required();
-  command->add_option("--method", options->method, "see 'sundial methods'")->type_name(kMethodSyntax)->required();
+  command->add_option("--method", options->method, "see 'sundial methods'")
+      ->type_name(kMethodSyntax)
+      ->required();
   command->add_option("-o,--output", options->output, ".png, .exr or .jpg")->type_name("FILE")->required();
-  command->add_option("--aov", options->aovs, "visibility,reference,position,normal,id,view, some of them, or all")
+  command
+      ->add_option("--aov", options->aovs,
+                   "visibility,reference,position,normal,id,view, some of them, or all")
       ->type_name("NAMES");
   options->view.addTo(*command);
-  command->callback([&action, options] { action = [options](Session& session) { render(session, *options); }; });
+  command->callback(
+      [&action, options] { action = [options](Session& session) { render(session, *options); }; });
 }
 
 }  // namespace sundial::command

@@ -18,8 +18,8 @@ void list(Session& session) {
     fmt::print("{:<28} {}\n", scene.reference(), scene.loaded() ? "loaded" : "");
     if (!scene.description().empty()) fmt::print("    {}\n", scene.description());
     if (scene.triangles() > 0)
-      fmt::print("    {} triangles in {} meshes, {} drawn by {} instances\n", scene.triangles(), scene.meshes(),
-                 scene.instanced_triangles(), scene.instances());
+      fmt::print("    {} triangles in {} meshes, {} drawn by {} instances\n", scene.triangles(),
+                 scene.meshes(), scene.instanced_triangles(), scene.instances());
     if (!scene.views().empty()) fmt::print("    views: {}\n", joined(scene.views()));
     if (!scene.lights().empty()) fmt::print("    lights: {}\n", joined(scene.lights()));
     if (!scene.paths().empty()) fmt::print("    paths: {}\n", joined(scene.paths()));
@@ -29,7 +29,8 @@ void list(Session& session) {
 }  // namespace
 
 void addScenes(CLI::App& app, Action& action) {
-  CLI::App* command = app.add_subcommand("scenes", "List the scenes: loaded, built in, or under the scene root");
+  CLI::App* command =
+      app.add_subcommand("scenes", "List the scenes: loaded, built in, or under the scene root");
   command->footer("Example:\n  sundial --server 127.0.0.1:50051 scenes");
   command->callback([&action] { action = list; });
 }

@@ -25,7 +25,8 @@ const client::Client& Session::client() {
     return client_.emplace(privateServer_->channel(), call);
   }
   auto channel = client::connect(options_.server);
-  if (!channel) throw Failure(channel.error().code == grpc::INVALID_ARGUMENT ? 2 : 1, channel.error().message);
+  if (!channel)
+    throw Failure(channel.error().code == grpc::INVALID_ARGUMENT ? 2 : 1, channel.error().message);
   return client_.emplace(std::move(*channel), call);
 }
 
@@ -48,8 +49,9 @@ client::Rendering Session::render(const v1::RenderRequest& request) {
   // A method is done with its times; the share of its images moves the bar in between.
   const auto methods = static_cast<double>(request.methods_size());
   return answer(server.render(request, [&](const client::Progress& progress) {
-    const double images =
-        progress.bytesExpected ? static_cast<double>(progress.bytes) / static_cast<double>(progress.bytesExpected) : 0;
+    const double images = progress.bytesExpected ? static_cast<double>(progress.bytes) /
+                                                       static_cast<double>(progress.bytesExpected)
+                                                 : 0;
     bar.show(std::max(progress.methodsDone / methods, images), 1);
   }));
 }
@@ -57,11 +59,12 @@ client::Rendering Session::render(const v1::RenderRequest& request) {
 Failure Session::explained(const client::Error& error) const {
   if (interrupt_.signal() != 0) return failure("interrupted");
   if (error.code == grpc::UNAVAILABLE && privateServer_)
-    return failure(fmt::format("the private sundiald was lost ({}); start one by hand and use --server to see why",
-                               error.message));
+    return failure(fmt::format(
+        "the private sundiald was lost ({}); start one by hand and use --server to see why", error.message));
   if (error.code == grpc::UNAVAILABLE)
-    return failure(fmt::format("no server answers at {} ({}); start 'sundiald --listen {}' or leave out --server",
-                               options_.server, error.message, options_.server));
+    return failure(
+        fmt::format("no server answers at {} ({}); start 'sundiald --listen {}' or leave out --server",
+                    options_.server, error.message, options_.server));
   if (error.code == grpc::DEADLINE_EXCEEDED)
     return failure(fmt::format("{}; --timeout is {} seconds: raise it or ask for less", error.message,
                                options_.timeoutSeconds));

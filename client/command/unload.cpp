@@ -13,7 +13,8 @@ namespace {
 void unload(Session& session, const std::string& scene) {
   session.needServer("unload");
   if (isLocalFile(scene))
-    throw refusal(fmt::format("unload: {} is a local file; name the scene as 'sundial scenes' lists it", scene));
+    throw refusal(
+        fmt::format("unload: {} is a local file; name the scene as 'sundial scenes' lists it", scene));
   const auto response = session.answer(session.client().unload(scene));
   if (session.options().json) return printJson(response);
   if (!session.options().quiet) fmt::print("{} is unloaded\n", scene);

@@ -34,11 +34,16 @@ v1::Vec3 difference(const v1::Vec3& a, const v1::Vec3& b) {
 void ViewOptions::addTo(CLI::App& app) {
   const std::string view = "View";
   auto* eye = app.add_option("--eye", eye_, "camera position, metres")->type_name("X,Y,Z")->group(view);
-  auto* target = app.add_option("--target", target_, "point to look at, metres")->type_name("X,Y,Z")->group(view);
-  auto* up = app.add_option("--up", up_, "direction that is up in the picture [0,1,0]")->type_name("X,Y,Z")->group(view);
+  auto* target =
+      app.add_option("--target", target_, "point to look at, metres")->type_name("X,Y,Z")->group(view);
+  auto* up = app.add_option("--up", up_, "direction that is up in the picture [0,1,0]")
+                 ->type_name("X,Y,Z")
+                 ->group(view);
   auto* fov = app.add_option("--fov", fov_, "vertical field of view, between 0 and 180 [60]")
-                  ->type_name("DEGREES")->group(view);
-  auto* name = app.add_option("--view", viewName_, "a view of the scene by its name")->type_name("NAME")->group(view);
+                  ->type_name("DEGREES")
+                  ->group(view);
+  auto* name =
+      app.add_option("--view", viewName_, "a view of the scene by its name")->type_name("NAME")->group(view);
   app.add_option("--size", size_, "pixels of the picture [1024x1024]")->type_name("WxH")->group(view);
   eye->needs(target);
   target->needs(eye);
@@ -47,12 +52,17 @@ void ViewOptions::addTo(CLI::App& app) {
   name->excludes(eye);
 
   const std::string light = "Light";
-  auto* sun = app.add_option("--sun", sun_, "direction in which the sun's light travels")->type_name("X,Y,Z")->group(light);
+  auto* sun = app.add_option("--sun", sun_, "direction in which the sun's light travels")
+                  ->type_name("X,Y,Z")
+                  ->group(light);
   auto* spot = app.add_option("--spot", spot_, "position, target and full cone angle")
-                   ->type_name("EX,EY,EZ,TX,TY,TZ,DEGREES")->group(light);
-  auto* point = app.add_option("--point", point_, "position of a point light")->type_name("X,Y,Z")->group(light);
-  auto* lightName =
-      app.add_option("--light", lightName_, "a light of the scene by its name")->type_name("NAME")->group(light);
+                   ->type_name("EX,EY,EZ,TX,TY,TZ,DEGREES")
+                   ->group(light);
+  auto* point =
+      app.add_option("--point", point_, "position of a point light")->type_name("X,Y,Z")->group(light);
+  auto* lightName = app.add_option("--light", lightName_, "a light of the scene by its name")
+                        ->type_name("NAME")
+                        ->group(light);
   sun->excludes(spot)->excludes(point)->excludes(lightName);
   spot->excludes(point)->excludes(lightName);
   point->excludes(lightName);
@@ -86,9 +96,11 @@ void ViewOptions::applyLight(v1::RenderRequest& request) const {
   if (!lightName_.empty()) request.set_light_name(lightName_);
   if (!sun_.empty()) {
     *request.mutable_light()->mutable_sun()->mutable_direction() = parseVec3("--sun", sun_);
-    if (isZero(request.light().sun().direction())) throw refusal("--sun: 0,0,0 is no direction; try -0.5,-0.8,0.3");
+    if (isZero(request.light().sun().direction()))
+      throw refusal("--sun: 0,0,0 is no direction; try -0.5,-0.8,0.3");
   }
-  if (!point_.empty()) *request.mutable_light()->mutable_point()->mutable_position() = parseVec3("--point", point_);
+  if (!point_.empty())
+    *request.mutable_light()->mutable_point()->mutable_position() = parseVec3("--point", point_);
   if (!spot_.empty()) {
     const auto numbers = parseNumbers("--spot", spot_, 7);
     v1::Light::Spot& spot = *request.mutable_light()->mutable_spot();
@@ -103,7 +115,8 @@ void ViewOptions::applyLight(v1::RenderRequest& request) const {
     if (MessageDifferencer::Equals(spot.eye(), spot.target()))
       throw refusal("--spot: its target is its position; choose another point");
     if (spot.cone_degrees() <= 0 || spot.cone_degrees() > 170)
-      throw refusal(fmt::format("--spot: a cone of {} degrees; it is more than 0 and at most 170", spot.cone_degrees()));
+      throw refusal(fmt::format("--spot: a cone of {} degrees; it is more than 0 and at most 170",
+                                spot.cone_degrees()));
   }
 }
 

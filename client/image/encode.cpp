@@ -24,7 +24,8 @@ std::string encode(const char* name, const OIIO::ImageSpec& spec, OIIO::TypeDesc
   };
   const std::unique_ptr<OIIO::ImageOutput> output = OIIO::ImageOutput::create(name, &sink);
   check(output != nullptr, OIIO::geterror());
-  check(output->open(name, spec) && output->write_image(format, pixels) && output->close(), output->geterror());
+  check(output->open(name, spec) && output->write_image(format, pixels) && output->close(),
+        output->geterror());
   return {bytes.begin(), bytes.end()};
 }
 
@@ -48,14 +49,22 @@ Layer layerOf(v1::Aov aov) {
   static constexpr std::array kId{"id.instance", "id.triangle"};
   static constexpr std::array kView{"view.I"};
   switch (aov) {
-    case v1::COLOUR: return {kColour, OIIO::TypeFloat};
-    case v1::VISIBILITY: return {kVisibility, OIIO::TypeFloat};
-    case v1::REFERENCE: return {kReference, OIIO::TypeFloat};
-    case v1::POSITION: return {kPosition, OIIO::TypeFloat};
-    case v1::NORMAL: return {kNormal, OIIO::TypeFloat};
-    case v1::ID: return {kId, OIIO::TypeUInt32};
-    case v1::VIEW: return {kView, OIIO::TypeUInt32};
-    default: return {{}, OIIO::TypeUnknown};
+    case v1::COLOUR:
+      return {kColour, OIIO::TypeFloat};
+    case v1::VISIBILITY:
+      return {kVisibility, OIIO::TypeFloat};
+    case v1::REFERENCE:
+      return {kReference, OIIO::TypeFloat};
+    case v1::POSITION:
+      return {kPosition, OIIO::TypeFloat};
+    case v1::NORMAL:
+      return {kNormal, OIIO::TypeFloat};
+    case v1::ID:
+      return {kId, OIIO::TypeUInt32};
+    case v1::VIEW:
+      return {kView, OIIO::TypeUInt32};
+    default:
+      return {{}, OIIO::TypeUnknown};
   }
 }
 
@@ -116,6 +125,7 @@ std::string encodeExr(const client::MethodRendering& rendering) {
   spec.nchannels = static_cast<int>(spec.channelnames.size());
   spec.alpha_channel = 3;
   spec["compression"] = "zip";
+  spec["DateTime"] = "1970:01:01 00:00:00";  // or the library writes the time of day
 
   // Pixel by pixel, the layers in turn.
   const std::size_t pixels = static_cast<std::size_t>(spec.width) * static_cast<std::size_t>(spec.height);

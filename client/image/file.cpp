@@ -57,8 +57,8 @@ class PendingFile {
 
  private:
   [[noreturn]] void fail() const {
-    throw std::runtime_error(fmt::format("can't write {}: {}; check the folder and its free space", path_.string(),
-                                         std::strerror(errno)));
+    throw std::runtime_error(fmt::format("can't write {}: {}; check the folder and its free space",
+                                         path_.string(), std::strerror(errno)));
   }
 
   fs::path path_, pending_;
@@ -76,7 +76,8 @@ std::optional<std::string> whyUnwritable(const fs::path& path) {
   std::error_code error;
   if (fs::is_directory(path, error)) return fmt::format("{} is a folder; name a file in it", path.string());
   const fs::path folder = folderOf(path);
-  if (!fs::is_directory(folder, error)) return fmt::format("there is no folder {}; make it first", folder.string());
+  if (!fs::is_directory(folder, error))
+    return fmt::format("there is no folder {}; make it first", folder.string());
   if (access(folder.c_str(), W_OK) != 0)
     return fmt::format("the folder {} can't be written to: {}", folder.string(), std::strerror(errno));
   return std::nullopt;

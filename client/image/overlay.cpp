@@ -22,13 +22,14 @@ Rgb colourOf(Verdict verdict) { return verdict == Verdict::falseLit ? kFalseLit 
 
 }  // namespace
 
-Picture errorOverlay(const client::Image& colour, const client::Image& visibility, const client::Image& reference) {
+Picture errorOverlay(const client::Image& colour, const client::Image& visibility,
+                     const client::Image& reference) {
   Picture picture = toPicture(colour);
   const auto verdicts = judge(visibility, reference);
   for (std::size_t i = 0; i < verdicts.size(); ++i) {
     std::uint8_t* pixel = &picture.pixels[3 * i];
     const int luma = (54 * pixel[0] + 183 * pixel[1] + 19 * pixel[2]) / 256;  // Rec. 709
-    const auto grey = static_cast<std::uint8_t>(luma * 2 / 5);
+    const auto grey = static_cast<std::uint8_t>(luma * 9 / 20);
     const Rgb shown = verdicts[i] == Verdict::right ? Rgb{grey, grey, grey} : colourOf(verdicts[i]);
     pixel[0] = shown.r;
     pixel[1] = shown.g;
@@ -38,11 +39,13 @@ Picture errorOverlay(const client::Image& colour, const client::Image& visibilit
 }
 
 Picture errorLayer(const client::Image& visibility, const client::Image& reference) {
-  constexpr std::uint8_t kHalo = 150;  // of 255
+  constexpr std::uint8_t kHalo = 190;  // of 255
   const auto verdicts = judge(visibility, reference);
   const auto width = static_cast<int>(visibility.width), height = static_cast<int>(visibility.height);
   Picture layer{visibility.width, visibility.height, 4, std::vector<std::uint8_t>(4 * verdicts.size())};
-  const auto at = [&](int x, int y) { return static_cast<std::size_t>(y) * visibility.width + static_cast<std::size_t>(x); };
+  const auto at = [&](int x, int y) {
+    return static_cast<std::size_t>(y) * visibility.width + static_cast<std::size_t>(x);
+  };
   const auto put = [&](int x, int y, Rgb colour, std::uint8_t alpha) {
     if (x < 0 || y < 0 || x >= width || y >= height) return;
     std::uint8_t* pixel = &layer.pixels[4 * at(x, y)];

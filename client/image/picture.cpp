@@ -20,11 +20,15 @@ Rgb hashed(std::uint32_t value) {
   value ^= value >> 13;
   value *= 0xc2b2ae35;
   value ^= value >> 16;
-  const auto channel = [&](int shift) { return static_cast<std::uint8_t>(64 + (value >> shift & 0xff) * 3 / 4); };
+  const auto channel = [&](int shift) {
+    return static_cast<std::uint8_t>(64 + (value >> shift & 0xff) * 3 / 4);
+  };
   return {channel(0), channel(8), channel(16)};
 }
 
-void put(Picture& picture, Rgb colour) { picture.pixels.insert(picture.pixels.end(), {colour.r, colour.g, colour.b}); }
+void put(Picture& picture, Rgb colour) {
+  picture.pixels.insert(picture.pixels.end(), {colour.r, colour.g, colour.b});
+}
 
 }  // namespace
 
@@ -54,7 +58,8 @@ Picture toPicture(const client::Image& image) {
       for (const float value : numbersOf<float>(image)) picture.pixels.push_back(toByte(0.5f * value + 0.5f));
       break;
     case v1::POSITION:
-      for (const float value : numbersOf<float>(image)) picture.pixels.push_back(toByte(value - std::floor(value)));
+      for (const float value : numbersOf<float>(image))
+        picture.pixels.push_back(toByte(value - std::floor(value)));
       break;
     case v1::ID: {
       const auto ids = numbersOf<std::uint32_t>(image);
@@ -66,7 +71,8 @@ Picture toPicture(const client::Image& image) {
       for (const std::uint32_t view : numbersOf<std::uint32_t>(image))
         put(picture, view == kNone ? Rgb{0, 0, 0} : kOkabeIto[view % kOkabeItoCount]);
       break;
-    default: break;
+    default:
+      break;
   }
   return picture;
 }

@@ -22,8 +22,8 @@ Expected<Response> call(v1::Sundial::Stub& stub, const CallOptions& options, Rpc
   return response;
 }
 
-// Writes until everything is sent or the server ends the call; its status says why. An error of our own is for
-// what can't be read.
+// Writes until everything is sent or the server ends the call; its status says why. An error of our own is
+// for what can't be read.
 grpc::Status sendFiles(const SceneFiles& scene, grpc::ClientWriter<v1::UploadSceneRequest>& writer,
                        const OnProgress& onProgress) {
   v1::UploadSceneRequest request;
@@ -46,7 +46,8 @@ grpc::Status sendFiles(const SceneFiles& scene, grpc::ClientWriter<v1::UploadSce
       if (onProgress) onProgress(progress);
     }
     if (!input.eof())
-      return {grpc::DATA_LOSS, fmt::format("reading {} failed on the way; check the disk", file.path.string())};
+      return {grpc::DATA_LOSS,
+              fmt::format("reading {} failed on the way; check the disk", file.path.string())};
   }
   if (progress.bytes != scene.bytes)
     return {grpc::DATA_LOSS, "the scene's files changed while they were sent; send them again"};
@@ -60,7 +61,8 @@ Client::Client(std::shared_ptr<grpc::Channel> channel, CallOptions options)
     : stub_(v1::Sundial::NewStub(std::move(channel))), options_(std::move(options)) {}
 
 Expected<v1::ServerInfo> Client::serverInfo() const {
-  return call<v1::GetServerInfoRequest, v1::ServerInfo>(*stub_, options_, &v1::Sundial::Stub::GetServerInfo, {});
+  return call<v1::GetServerInfoRequest, v1::ServerInfo>(*stub_, options_, &v1::Sundial::Stub::GetServerInfo,
+                                                        {});
 }
 
 Expected<v1::ListMethodsResponse> Client::listMethods() const {

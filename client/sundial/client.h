@@ -23,8 +23,8 @@ struct Progress {
 };
 using OnProgress = std::function<void(const Progress&)>;
 
-// Errors are the server's (the contract lists them for each rpc), or UNAVAILABLE where none answers. Calls are
-// retried as withRetries() says. Safe to use from several threads.
+// Errors are the server's (the contract lists them for each rpc), or UNAVAILABLE where none answers. Calls
+// are retried as withRetries() says. Safe to use from several threads.
 class Client {
  public:
   explicit Client(std::shared_ptr<grpc::Channel>, CallOptions = {});

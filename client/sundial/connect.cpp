@@ -41,8 +41,9 @@ Expected<std::string> resolve(const HostPort& address) {
   hints.ai_socktype = SOCK_STREAM;
   addrinfo* found = nullptr;
   if (const int error = getaddrinfo(address.host.c_str(), address.port.c_str(), &hints, &found); error != 0)
-    return fail(StatusCode::UNAVAILABLE, fmt::format("can't resolve '{}': {}; check the name or give its IPv4 address",
-                                                     address.host, gai_strerror(error)));
+    return fail(StatusCode::UNAVAILABLE,
+                fmt::format("can't resolve '{}': {}; check the name or give its IPv4 address", address.host,
+                            gai_strerror(error)));
   const std::unique_ptr<addrinfo, decltype(&freeaddrinfo)> owner(found, &freeaddrinfo);
   std::array<char, INET_ADDRSTRLEN> text{};
   const auto* ip = reinterpret_cast<const sockaddr_in*>(found->ai_addr);
@@ -75,10 +76,14 @@ Expected<std::shared_ptr<grpc::Channel>> connect(std::string_view addresses) {
     if (const auto address = splitHostPort(addresses); !address) return std::unexpected(address.error());
     target = addresses;
   } else {
+    std::vector<HostPort> servers;
     for (const std::string_view part : parts) {
-      const auto address = splitHostPort(part);
-      if (!address) return std::unexpected(address.error());
-      const auto ip = resolve(*address);
+      auto server = splitHostPort(part);
+      if (!server) return std::unexpected(server.error());
+      servers.push_back(std::move(*server));
+    }
+    for (const HostPort& server : servers) {
+      const auto ip = resolve(server);
       if (!ip) return std::unexpected(ip.error());
       target += (target.empty() ? "ipv4:" : ",") + *ip;
     }

@@ -10,9 +10,9 @@
 
 namespace sundial::client {
 
-// `addresses`: "host:port", "unix:PATH", or a comma list of host:port, whose calls gRPC hands out in turn to the
-// servers that say they are healthy. The channel connects when it is first used.
-// Errors: INVALID_ARGUMENT for what is no address, UNAVAILABLE for a name of a list that doesn't resolve.
+// `addresses`: "host:port", "unix:PATH", or a comma list of host:port, whose calls gRPC hands out in turn to
+// the servers that say they are healthy. The channel connects when it is first used. Errors: INVALID_ARGUMENT
+// for what is no address, UNAVAILABLE for a name of a list that doesn't resolve.
 Expected<std::shared_ptr<grpc::Channel>> connect(std::string_view addresses);
 
 }  // namespace sundial::client

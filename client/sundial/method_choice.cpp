@@ -8,8 +8,9 @@ namespace sundial::client {
 
 Expected<v1::MethodChoice> parseMethodChoice(std::string_view text) {
   const auto refuse = [&](std::string_view why) {
-    return fail(grpc::INVALID_ARGUMENT,
-                fmt::format("'{}' is no method: {}; write NAME[,key=value]..., e.g. sm,texels=2048", text, why));
+    return fail(
+        grpc::INVALID_ARGUMENT,
+        fmt::format("'{}' is no method: {}; write NAME[,key=value]..., e.g. sm,texels=2048", text, why));
   };
   v1::MethodChoice choice;
   std::string_view rest = text;

@@ -9,8 +9,8 @@
 
 namespace sundial::client {
 
-// Errors: INVALID_ARGUMENT for an empty name or key, a part without '=', a key given twice. Whether the method
-// and its parameters exist is for the server to say.
+// Errors: INVALID_ARGUMENT for an empty name or key, a part without '=', a key given twice. Whether the
+// method and its parameters exist is for the server to say.
 Expected<v1::MethodChoice> parseMethodChoice(std::string_view text);
 
 // The inverse, keys in order: the name of a method in reports.

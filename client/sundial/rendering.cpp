@@ -18,14 +18,22 @@ grpc::Status lost(std::string_view why) {
 
 std::string_view aovName(v1::Aov aov) {
   switch (aov) {
-    case v1::COLOUR: return "colour";
-    case v1::VISIBILITY: return "visibility";
-    case v1::REFERENCE: return "reference";
-    case v1::POSITION: return "position";
-    case v1::NORMAL: return "normal";
-    case v1::ID: return "id";
-    case v1::VIEW: return "view";
-    default: return "unknown";
+    case v1::COLOUR:
+      return "colour";
+    case v1::VISIBILITY:
+      return "visibility";
+    case v1::REFERENCE:
+      return "reference";
+    case v1::POSITION:
+      return "position";
+    case v1::NORMAL:
+      return "normal";
+    case v1::ID:
+      return "id";
+    case v1::VIEW:
+      return "view";
+    default:
+      return "unknown";
   }
 }
 
@@ -34,11 +42,15 @@ std::size_t bytesPerPixel(v1::Aov aov) {
     case v1::COLOUR:
     case v1::VISIBILITY:
     case v1::REFERENCE:
-    case v1::VIEW: return 4;
-    case v1::ID: return 8;
+    case v1::VIEW:
+      return 4;
+    case v1::ID:
+      return 8;
     case v1::POSITION:
-    case v1::NORMAL: return 12;
-    default: return 0;
+    case v1::NORMAL:
+      return 12;
+    default:
+      return 0;
   }
 }
 
@@ -54,7 +66,8 @@ RenderingAssembler::RenderingAssembler(const v1::RenderRequest& request) : reque
 grpc::Status RenderingAssembler::add(v1::RenderEvent event) {
   const auto known = [&](unsigned method) { return method < rendering_.methods.size(); };
   if (done_) return lost("an event follows the end");
-  if (event.event_case() != v1::RenderEvent::kAccepted && !accepted_) return lost("it doesn't begin at its start");
+  if (event.event_case() != v1::RenderEvent::kAccepted && !accepted_)
+    return lost("it doesn't begin at its start");
   if (open_ && event.event_case() != v1::RenderEvent::kImageChunk &&
       event.event_case() != v1::RenderEvent::kImageEnd)
     return lost("an image doesn't end");
@@ -68,9 +81,12 @@ grpc::Status RenderingAssembler::add(v1::RenderEvent event) {
       if (!known(event.layout().method())) return lost("a plan of a method that wasn't asked for");
       rendering_.methods[event.layout().method()].plan = std::move(*event.mutable_layout()->mutable_plan());
       return grpc::Status::OK;
-    case v1::RenderEvent::kImageBegin: return begin(event.image_begin());
-    case v1::RenderEvent::kImageChunk: return append(event.image_chunk());
-    case v1::RenderEvent::kImageEnd: return end(event.image_end());
+    case v1::RenderEvent::kImageBegin:
+      return begin(event.image_begin());
+    case v1::RenderEvent::kImageChunk:
+      return append(event.image_chunk());
+    case v1::RenderEvent::kImageEnd:
+      return end(event.image_end());
     case v1::RenderEvent::kTimings: {
       if (!known(event.timings().method())) return lost("times of a method that wasn't asked for");
       v1::Result& result = rendering_.methods[event.timings().method()].result;
@@ -79,8 +95,11 @@ grpc::Status RenderingAssembler::add(v1::RenderEvent event) {
       ++methodsDone_;
       return grpc::Status::OK;
     }
-    case v1::RenderEvent::kDone: done_ = true; return grpc::Status::OK;
-    case v1::RenderEvent::EVENT_NOT_SET: return grpc::Status::OK;  // of a newer server
+    case v1::RenderEvent::kDone:
+      done_ = true;
+      return grpc::Status::OK;
+    case v1::RenderEvent::EVENT_NOT_SET:
+      return grpc::Status::OK;  // of a newer server
   }
   return lost("an unknown event");
 }
@@ -117,7 +136,8 @@ grpc::Status RenderingAssembler::end(const v1::ImageEnd& end) {
   if (!open_) return lost("an end of no image");
   const Image& image = open_->images.back();
   if (image.bytes.size() != openBytes_)
-    return lost(fmt::format("the {} image has {} of {} bytes", aovName(image.aov), image.bytes.size(), openBytes_));
+    return lost(
+        fmt::format("the {} image has {} of {} bytes", aovName(image.aov), image.bytes.size(), openBytes_));
   if (sundial::crc32c(std::as_bytes(std::span(image.bytes))) != end.crc32c())
     return lost(fmt::format("the {} image's checksum is wrong", aovName(image.aov)));
   open_ = nullptr;

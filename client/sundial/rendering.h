@@ -37,8 +37,8 @@ struct Rendering {
   std::vector<MethodRendering> methods;  // as in RenderRequest.methods
 };
 
-// Takes a stream's events in order and refuses, with DATA_LOSS, whatever the contract doesn't promise: an image
-// of another size, too few or too many bytes, a wrong checksum, a missing part.
+// Takes a stream's events in order and refuses, with DATA_LOSS, whatever the contract doesn't promise: an
+// image of another size, too few or too many bytes, a wrong checksum, a missing part.
 class RenderingAssembler {
  public:
   explicit RenderingAssembler(const v1::RenderRequest&);

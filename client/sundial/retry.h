@@ -19,8 +19,8 @@ struct CallOptions {
 using Attempt = std::function<grpc::Status(grpc::ClientContext&)>;
 
 // Tries until it works, fails for good, or the options' time is over. A full queue (RESOURCE_EXHAUSTED with
-// "sundial-retry-ms" in the trailing metadata) is waited for as long as the server says and tried again up to 30
-// times; a lost server (UNAVAILABLE) after 0.1, 0.2 and 0.4 seconds.
+// "sundial-retry-ms" in the trailing metadata) is waited for as long as the server says and tried again up to
+// 30 times; a lost server (UNAVAILABLE) after 0.1, 0.2 and 0.4 seconds.
 grpc::Status withRetries(const CallOptions&, const Attempt&);
 
 }  // namespace sundial::client

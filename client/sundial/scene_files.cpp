@@ -101,9 +101,10 @@ Expected<SceneFiles> gatherSceneFiles(const fs::path& main) {
   for (const std::string& uri : externalUris(document)) {
     const fs::path relative = fs::path(percentDecoded(uri)).lexically_normal();
     if (relative.is_absolute() || *relative.begin() == ".." || uri.contains("://") || uri.contains('\\'))
-      return fail(grpc::INVALID_ARGUMENT,
-                  fmt::format("{} refers to '{}' outside its folder; move the file beside it and correct the URI",
-                              main.string(), uri));
+      return fail(
+          grpc::INVALID_ARGUMENT,
+          fmt::format("{} refers to '{}' outside its folder; move the file beside it and correct the URI",
+                      main.string(), uri));
     if (auto added = add(scene, uri, main.parent_path() / relative); !added)
       return std::unexpected(added.error());
   }

@@ -20,9 +20,9 @@ struct SceneFiles {
   std::uint64_t bytes = 0;       // of all of them
 };
 
-// Reads a .gltf, or the JSON part of a .glb, for the URIs of its buffers and images. What isn't glTF is listed
-// alone: the server says what is wrong with it.
-// Errors: NOT_FOUND for an unreadable file, naming it; INVALID_ARGUMENT for a URI that leaves the scene's folder.
+// Reads a .gltf, or the JSON part of a .glb, for the URIs of its buffers and images. What isn't glTF is
+// listed alone: the server says what is wrong with it. Errors: NOT_FOUND for an unreadable file, naming it;
+// INVALID_ARGUMENT for a URI that leaves the scene's folder.
 Expected<SceneFiles> gatherSceneFiles(const std::filesystem::path& main);
 
 }  // namespace sundial::client

@@ -8,6 +8,8 @@
 #include <cstdio>
 #include <cstring>
 
+#include "gpu/driver_memory.h"
+
 namespace sundial {
 
 namespace {
@@ -194,6 +196,7 @@ Result<std::unique_ptr<Device>> Device::create(std::string_view wanted, bool val
                                                            chosen->info.name, chosen->lacking, names));
   self->info_ = chosen->info;
   self->isCpu_ = chosen->type == VK_PHYSICAL_DEVICE_TYPE_CPU;
+  if (self->isCpu_) keepFreedMemory();
   self->open(chosen->physical);
   return self;
 }

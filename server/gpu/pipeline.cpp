@@ -19,8 +19,9 @@ struct EmbeddedShader {
 
 VkDescriptorType typeOf(std::uint32_t binding) {
   if (binding == shared::kBindFrame) return VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER;
-  return binding < shared::kStorageBindings ? VK_DESCRIPTOR_TYPE_STORAGE_BUFFER
-                                            : VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER;
+  if (binding < shared::kStorageBindings) return VK_DESCRIPTOR_TYPE_STORAGE_BUFFER;
+  return binding < shared::kTexelBindings ? VK_DESCRIPTOR_TYPE_UNIFORM_TEXEL_BUFFER
+                                          : VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER;
 }
 
 ShaderModule makeModule(const Device& device, std::string_view file) {
@@ -87,7 +88,8 @@ BindingSet::BindingSet(const Device& device, const BindingLayout& layout)
   const VkDescriptorPoolSize sizes[] = {
       {VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER, 1},
       {VK_DESCRIPTOR_TYPE_STORAGE_BUFFER, shared::kStorageBindings - 1},
-      {VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER, shared::kBindCount - shared::kStorageBindings}};
+      {VK_DESCRIPTOR_TYPE_UNIFORM_TEXEL_BUFFER, shared::kTexelBindings - shared::kStorageBindings},
+      {VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER, shared::kBindCount - shared::kTexelBindings}};
   const VkDescriptorPoolCreateInfo info{.sType = VK_STRUCTURE_TYPE_DESCRIPTOR_POOL_CREATE_INFO,
                                         .maxSets = 1,
                                         .poolSizeCount = std::size(sizes),
@@ -111,6 +113,17 @@ void BindingSet::set(std::uint32_t binding, const Buffer& buffer) {
                                    .descriptorCount = 1,
                                    .descriptorType = typeOf(binding),
                                    .pBufferInfo = &info};
+  vkUpdateDescriptorSets(device_, 1, &write, 0, nullptr);
+}
+
+void BindingSet::set(std::uint32_t binding, const TexelBuffer& buffer) {
+  const VkBufferView view = buffer.view();
+  const VkWriteDescriptorSet write{.sType = VK_STRUCTURE_TYPE_WRITE_DESCRIPTOR_SET,
+                                   .dstSet = set_,
+                                   .dstBinding = binding,
+                                   .descriptorCount = 1,
+                                   .descriptorType = typeOf(binding),
+                                   .pTexelBufferView = &view};
   vkUpdateDescriptorSets(device_, 1, &write, 0, nullptr);
 }
 

@@ -25,11 +25,13 @@ class BindingLayout {
   PipelineLayout pipeline_;
 };
 
-// One descriptor set. Every binding must be set before it is bound: lavapipe follows those too that no shader reads.
+// One descriptor set. Every binding must be set before it is bound: lavapipe follows those too that no shader
+// reads.
 class BindingSet {
  public:
   BindingSet(const Device&, const BindingLayout&);
   void set(std::uint32_t binding, const Buffer&);
+  void set(std::uint32_t binding, const TexelBuffer&);
   void set(std::uint32_t binding, const GpuImage&, VkSampler,
            VkImageLayout = VK_IMAGE_LAYOUT_SHADER_READ_ONLY_OPTIMAL);
   void bind(VkCommandBuffer) const;  // for graphics and compute

@@ -35,6 +35,19 @@ Buffer uploaded(const Device& device, const void* data, VkDeviceSize bytes, VkBu
   return target;
 }
 
+TexelBuffer::TexelBuffer(const Device& device, Buffer buffer, VkFormat format, std::uint32_t bytesPerTexel)
+    : buffer_(std::move(buffer)) {
+  if (buffer_.size() / bytesPerTexel > device.limits().maxTexelBufferElements)
+    throw GpuError(VK_ERROR_OUT_OF_DEVICE_MEMORY, "viewing a buffer of more texels than the device reads");
+  const VkBufferViewCreateInfo info{.sType = VK_STRUCTURE_TYPE_BUFFER_VIEW_CREATE_INFO,
+                                    .buffer = buffer_,
+                                    .format = format,
+                                    .range = VK_WHOLE_SIZE};
+  VkBufferView view;
+  check(vkCreateBufferView(device, &info, nullptr, &view), "vkCreateBufferView");
+  view_ = {device, view};
+}
+
 GpuImage::GpuImage(const Device& device, VkExtent2D extent, VkFormat format, VkImageUsageFlags usage,
                    std::uint32_t layers, bool arrayView)
     : extent_(extent),

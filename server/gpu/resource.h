@@ -36,6 +36,21 @@ Buffer uploaded(const Device& device, const std::vector<T>& data, VkBufferUsageF
   return uploaded(device, data.data(), data.size() * sizeof(T), usage);
 }
 
+// A buffer that shaders read as texels of a format.
+class TexelBuffer {
+ public:
+  TexelBuffer() = default;
+  // Throws GpuError (VK_ERROR_OUT_OF_DEVICE_MEMORY) where the device reads fewer texels through a view.
+  TexelBuffer(const Device&, Buffer, VkFormat, std::uint32_t bytesPerTexel);
+
+  operator const Buffer&() const { return buffer_; }
+  VkBufferView view() const { return view_; }
+
+ private:
+  Buffer buffer_;
+  Handle<VkBufferView, vkDestroyBufferView> view_;
+};
+
 class GpuImage {
  public:
   GpuImage() = default;

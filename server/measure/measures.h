@@ -13,11 +13,14 @@ namespace sundial {
 struct MeasureInput {
   glm::uvec2 size{0};
   std::span<const shared::ViewSample> samples;
-  std::span<const float> viewDepth;           // metres along the view's axis; anything where no geometry is
-  std::span<const float> visibility;          // S, in [0, 1]
-  std::span<const float> reference;           // R, 0 or 1 (or a mean over a footprint)
-  std::span<const shared::Answer> answers;    // what answered; empty for methods without a map
-  std::uint64_t storeTexels = 0;              // allocated; 0 for methods without a map
+  std::span<const float> viewDepth;         // metres along the view's axis; anything where no geometry is
+  std::span<const float> visibility;        // S, in [0, 1]
+  std::span<const float> reference;         // R, 0 or 1 (or a mean over a footprint)
+  std::span<const shared::Answer> answers;  // what answered; empty for methods without a map
+  std::uint64_t storeTexels = 0;            // allocated; 0 for methods without a map
+  // Omega+: 1 where the sample faces the light (reference.h). Empty: the answers say, and without answers
+  // every sample does.
+  std::span<const std::uint8_t> facesLight;
 };
 
 struct EdgeError {

@@ -134,31 +134,36 @@ EmbreeScene Reference::Impl::buildMesh(std::uint32_t index) {
 void Reference::Impl::tracePacket(const Packets& packets, std::size_t packet,
                                   std::span<const shared::ViewSample> samples, const FrameLight& light,
                                   const glm::dvec3& centreFromOrigin, std::span<float> visibility) const {
-  RTCRay16 rays;  // aligned by its type
-  PacketContext context;
   alignas(64) std::array<int, kPacketSize> valid{};
   std::array<std::size_t, kPacketSize> index;
   bool any = false;
   for (unsigned lane = 0; lane < kPacketSize; ++lane) {
     index[lane] = packets.sample(packet, lane);
+    if (index[lane] == Packets::kNone) continue;
+    visibility[index[lane]] = 0;
+    const glm::vec3& position = samples[index[lane]].wsPosition;
+    if (!light.facedBy(samples[index[lane]]) || !std::isfinite(position.x + position.y + position.z))
+      continue;
+    valid[lane] = -1;
+    any = true;
+  }
+  if (!any) return;
+
+  RTCRay16 rays;
+  PacketContext context;
+  const bool endless = light.kind == LightKind::directional;
+  for (unsigned lane = 0; lane < kPacketSize; ++lane) {
     // Rays that are not valid must still be numbers.
     glm::vec3 from{0}, towards{0, 1, 0};
     float tNear = 0, tFar = 0;
-    if (index[lane] != Packets::kNone) {
+    if (valid[lane]) {
       const shared::ViewSample& sample = samples[index[lane]];
-      visibility[index[lane]] = 0;
-      const glm::vec3 position(glm::dvec3(sample.wsPosition) + centreFromOrigin);
-      if (light.facedBy(sample) && std::isfinite(position.x + position.y + position.z)) {
-        valid[lane] = -1;
-        any = true;
-        from = position;
-        towards = light.towards(sample);
-        // A ray towards a light at a place has the length of its way, so that it ends there at t = 1.
-        const bool endless = light.kind == LightKind::directional;
-        tNear = endless ? nearest : nearest / glm::length(towards);
-        tFar = endless ? std::numeric_limits<float>::infinity() : 1.0f;
-        context.receivers[lane] = {sample.instance, sample.triangle, glm::dot(sample.wsNormal, towards)};
-      }
+      from = glm::vec3(glm::dvec3(sample.wsPosition) + centreFromOrigin);
+      towards = light.towards(sample);
+      // A ray towards a light at a place has the length of its way, so that it ends there at t = 1.
+      tNear = endless ? nearest : nearest / glm::length(towards);
+      tFar = endless ? std::numeric_limits<float>::infinity() : 1.0f;
+      context.receivers[lane] = {sample.instance, sample.triangle, glm::dot(sample.wsNormal, towards)};
     }
     rays.org_x[lane] = from.x;
     rays.org_y[lane] = from.y;
@@ -173,10 +178,10 @@ void Reference::Impl::tracePacket(const Packets& packets, std::size_t packet,
     rays.id[lane] = lane;
     rays.flags[lane] = 0;
   }
-  if (!any) return;
 
+  // Never RTC_INTERSECT_CONTEXT_FLAG_COHERENT: no faster here, and Embree 3.13.5 then goes round in circles
+  // on some robust packets (of the rays towards a near spot, for one).
   rtcInitIntersectContext(&context.embree);
-  context.embree.flags = RTC_INTERSECT_CONTEXT_FLAG_COHERENT;
   rtcOccluded16(valid.data(), instances.get(), &context.embree, &rays);
   for (unsigned lane = 0; lane < kPacketSize; ++lane)
     if (valid[lane]) visibility[index[lane]] = rays.tfar[lane] < 0 ? 0.0f : 1.0f;  // occluded: -infinity

@@ -50,9 +50,11 @@ Result<void> check(const Primitive& primitive) {
   return {};
 }
 
-// Zero area. Products in double of edges in float: exact, so that every machine drops the same triangles.
-bool isDegenerate(const glm::vec3& a, const glm::vec3& b, const glm::vec3& c) {
-  return glm::cross(glm::dvec3(b - a), glm::dvec3(c - a)) == glm::dvec3(0);
+// Zero area, seen from any corner: rounding may make them differ, and what comes later may start at any.
+bool isDegenerate(const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& c) {
+  const glm::dvec3 zero(0);
+  return glm::cross(b - a, c - a) == zero || glm::cross(c - b, a - b) == zero ||
+         glm::cross(a - c, b - c) == zero;
 }
 
 // A triangle list without degenerate triangles, and where each triangle comes from.
@@ -66,8 +68,9 @@ Triangles withoutDegenerates(const Primitive& primitive) {
   result.source.reserve(primitive.indices.size() / 3);
   for (std::size_t i = 0; i + 2 < primitive.indices.size(); i += 3) {
     const std::array triangle{primitive.indices[i], primitive.indices[i + 1], primitive.indices[i + 2]};
-    if (isDegenerate(primitive.positions[triangle[0]], primitive.positions[triangle[1]],
-                     primitive.positions[triangle[2]]))
+    if (isDegenerate(glm::dvec3(primitive.positions[triangle[0]]),
+                     glm::dvec3(primitive.positions[triangle[1]]),
+                     glm::dvec3(primitive.positions[triangle[2]])))
       continue;
     result.indices.insert(result.indices.end(), triangle.begin(), triangle.end());
     result.source.push_back(static_cast<std::uint32_t>(i / 3));

@@ -175,7 +175,8 @@ void Frame::resolve(VkCommandBuffer command) const {
 void Frame::shade(VkCommandBuffer command) const {
   bindings_.bind(command);
   renderInto(command, {&view_.target.colour}, nullptr, [&] {
-    vkCmdBindPipeline(command, VK_PIPELINE_BIND_POINT_GRAPHICS, view_.pipelines.shade);
+    vkCmdBindPipeline(command, VK_PIPELINE_BIND_POINT_GRAPHICS,
+                      view_.scene.plainColours() ? view_.pipelines.shadePlain : view_.pipelines.shade);
     vkCmdDraw(command, 3, 1, 0, 0);
   });
 }
@@ -190,7 +191,8 @@ void Frame::trace() const {
   std::vector<shared::ViewSample> samples(pixels(view_));
   gatherSamples(hostPositions_->mapped<glm::uvec4>(), hostNormals_->mapped<glm::uvec4>(), samples);
   view_.reference->trace(samples, view_.light, view_.origin,
-                         {hostVisibility_->mapped<float>(), static_cast<std::size_t>(pixels(view_))});
+                         {hostVisibility_->mapped<float>(), static_cast<std::size_t>(pixels(view_))},
+                         view_.constants.imageSize.x);
 }
 
 void Frame::takeVisibility(VkCommandBuffer command) const {
@@ -215,8 +217,7 @@ void Frame::drawSlot(VkCommandBuffer command, std::uint32_t slot, VkPipeline opa
     if (chunks == 0) continue;
     const bool isMasked = bucket >= shared::kFirstMaskedBucket;
     vkCmdBindPipeline(command, VK_PIPELINE_BIND_POINT_GRAPHICS, isMasked ? masked : opaque);
-    vkCmdSetCullMode(command,
-                     cullFaces ? kCullModes[bucket % shared::kFirstMaskedBucket] : kNone);
+    vkCmdSetCullMode(command, cullFaces ? kCullModes[bucket % shared::kFirstMaskedBucket] : kNone);
     view_.scene.bindVertices(command, isMasked);
     const VkDeviceSize first =
         VkDeviceSize{slot} * view_.scene.drawCount() + firstChunk * shared::kDrawsPerChunk;

@@ -16,8 +16,12 @@ GraphicsPipelineInfo geometry(std::string_view vertex, std::string_view fragment
           .depthClamp = !ids};
 }
 
-GraphicsPipelineInfo fullscreen(std::string_view fragment, std::vector<VkFormat> formats) {
-  return {.vertexShader = "fullscreen.vert", .fragmentShader = fragment, .colourFormats = std::move(formats)};
+GraphicsPipelineInfo fullscreen(std::string_view fragment, std::vector<VkFormat> formats,
+                                Specialization specialization = {}) {
+  return {.vertexShader = "fullscreen.vert",
+          .fragmentShader = fragment,
+          .specialization = std::move(specialization),
+          .colourFormats = std::move(formats)};
 }
 
 std::map<Volume, Pipeline> makePlanSingle(const Device& device, const BindingLayout& layout) {
@@ -56,6 +60,9 @@ FramePipelines::FramePipelines(const Device& device)
       resolve(makeResolve(device, layout)),
       answers(
           makeGraphicsPipeline(device, layout, fullscreen("answers.frag", {VK_FORMAT_R32G32B32A32_UINT}))),
-      shade(makeGraphicsPipeline(device, layout, fullscreen("shade.frag", {VK_FORMAT_R8G8B8A8_UNORM}))) {}
+      shade(makeGraphicsPipeline(device, layout,
+                                 fullscreen("shade.frag", {VK_FORMAT_R8G8B8A8_UNORM}, {VK_FALSE}))),
+      shadePlain(makeGraphicsPipeline(device, layout,
+                                      fullscreen("shade.frag", {VK_FORMAT_R8G8B8A8_UNORM}, {VK_TRUE}))) {}
 
 }  // namespace sundial

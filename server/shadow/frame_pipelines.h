@@ -19,7 +19,7 @@ struct FramePipelines {
   Pipeline storeDepth, storeDepthMasked;
   std::map<Lookup, Pipeline> resolve;
   Pipeline answers;
-  Pipeline shade;
+  Pipeline shade, shadePlain;  // plain: a scene without textures and vertex colours
 };
 
 }  // namespace sundial

@@ -82,7 +82,7 @@ std::vector<Parameter> parametersFor(const MethodRow& row, const std::optional<S
                   .unit = "texels",
                   .min = 0,
                   .max = 100,
-                  .defaultValue = "1",
+                  .defaultValue = "1.5",
                   .description = "how far a receiver moves towards the light, in texels of its map"});
   list.push_back({.name = "bias_world",
                   .kind = Kind::number,

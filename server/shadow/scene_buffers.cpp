@@ -1,6 +1,8 @@
 #include "shadow/scene_buffers.h"
 
+#include <algorithm>
 #include <cstring>
+#include <functional>
 
 #include "shared/bindings.h"
 
@@ -9,6 +11,21 @@ namespace sundial {
 namespace {
 
 constexpr VkBufferUsageFlags kStorage = VK_BUFFER_USAGE_STORAGE_BUFFER_BIT;
+
+template <class T>
+TexelBuffer uploadedTexels(const Device& device, const std::vector<T>& data, VkFormat format,
+                           std::uint32_t bytesPerTexel, VkBufferUsageFlags more = 0) {
+  return {device, uploaded(device, data, VK_BUFFER_USAGE_UNIFORM_TEXEL_BUFFER_BIT | more), format,
+          bytesPerTexel};
+}
+
+std::vector<shared::Triangle> listTriangles(const Scene& scene) {
+  std::vector<shared::Triangle> triangles(scene.indices.size() / 3);
+  for (const shared::Cluster& cluster : scene.clusters)
+    for (std::uint32_t i = cluster.firstIndex; i < cluster.firstIndex + cluster.indexCount; i += 3)
+      triangles[i / 3] = {{scene.indices[i], scene.indices[i + 1], scene.indices[i + 2]}, cluster.material};
+  return triangles;
+}
 
 std::uint32_t bucketOf(const MaterialInfo& material, const Instance& instance) {
   const bool mirrored = glm::determinant(glm::dmat3(instance.worldFromMesh)) < 0;
@@ -64,21 +81,33 @@ std::vector<shared::Material> gpuMaterials(const Scene& scene) {
 
 SceneBuffers::SceneBuffers(const Device& device, std::shared_ptr<const Scene> scene)
     : scene_(std::move(scene)),
-      vertices_(uploaded(device, scene_->vertices, kStorage | VK_BUFFER_USAGE_VERTEX_BUFFER_BIT)),
-      attributes_(uploaded(device, scene_->attributes, kStorage | VK_BUFFER_USAGE_VERTEX_BUFFER_BIT)),
-      indices_(uploaded(device, scene_->indices, kStorage | VK_BUFFER_USAGE_INDEX_BUFFER_BIT)),
+      vertices_(uploadedTexels(device, scene_->vertices, VK_FORMAT_R32G32B32A32_UINT, 16,
+                               VK_BUFFER_USAGE_VERTEX_BUFFER_BIT)),
+      attributes_(uploadedTexels(device, scene_->attributes, VK_FORMAT_R32G32B32A32_UINT, 16,
+                                 VK_BUFFER_USAGE_VERTEX_BUFFER_BIT)),
+      triangles_(uploadedTexels(device, listTriangles(*scene_), VK_FORMAT_R32G32B32A32_UINT, 16)),
+      indices_(uploaded(device, scene_->indices, VK_BUFFER_USAGE_INDEX_BUFFER_BIT)),
       clusters_(uploaded(device, scene_->clusters, kStorage)),
       materials_(uploaded(device, gpuMaterials(*scene_), kStorage)),
       textures_(uploadTextures(device, *scene_)),
-      sampler_(makeSampler(device, VK_FILTER_LINEAR)) {
+      sampler_(makeSampler(device, VK_FILTER_LINEAR)),
+      plainColours_(scene_->textures.empty() && std::ranges::all_of(scene_->attributes, [](const auto& a) {
+                      return a.colour == 0xffffffffu;
+                    })) {
   const std::vector<shared::Draw> draws = listDraws(*scene_, buckets_);
-  drawCount_ = static_cast<std::uint32_t>(draws.size());
-  draws_ = uploaded(device, draws, kStorage);
+  drawInstances_.reserve(draws.size());
+  for (const shared::Draw& draw : draws) drawInstances_.push_back(draw.instance);
+  draws_ = uploadedTexels(device, draws, VK_FORMAT_R32G32_UINT, 8);
 }
 
 VkDeviceSize SceneBuffers::bytes() const {
-  return vertices_.size() + attributes_.size() + indices_.size() + clusters_.size() + draws_.size() +
-         instances_.size() + materials_.size() + textures_.bytes();
+  VkDeviceSize sum =
+      places_.size() + indices_.size() + clusters_.size() + materials_.size() + textures_.bytes();
+  for (const Buffer& buffer :
+       {std::cref<Buffer>(vertices_), std::cref<Buffer>(attributes_), std::cref<Buffer>(triangles_),
+        std::cref<Buffer>(draws_), std::cref<Buffer>(instances_)})
+    sum += buffer.size();
+  return sum;
 }
 
 void SceneBuffers::moveTo(const Device& device, const glm::dvec3& origin) {
@@ -91,14 +120,18 @@ void SceneBuffers::moveTo(const Device& device, const glm::dvec3& origin) {
     const glm::dmat4 rows = glm::transpose(m);
     placed.push_back({{glm::vec4(rows[0]), glm::vec4(rows[1]), glm::vec4(rows[2])}});
   }
-  instances_ = uploaded(device, placed, kStorage);
+  instances_ = uploadedTexels(device, placed, VK_FORMAT_R32G32B32A32_SFLOAT, 16);
+  std::vector<shared::Instance> places(drawInstances_.size());
+  for (std::size_t i = 0; i < places.size(); ++i)
+    if (drawInstances_[i] != shared::kNoInstance) places[i] = placed[drawInstances_[i]];
+  places_ = uploaded(device, places, VK_BUFFER_USAGE_VERTEX_BUFFER_BIT);
   origin_ = origin;
 }
 
 void SceneBuffers::bindTo(BindingSet& set) const {
   set.set(shared::kBindVertices, vertices_);
   set.set(shared::kBindAttributes, attributes_);
-  set.set(shared::kBindIndices, indices_);
+  set.set(shared::kBindTriangles, triangles_);
   set.set(shared::kBindClusters, clusters_);
   set.set(shared::kBindDraws, draws_);
   set.set(shared::kBindInstances, instances_);
@@ -107,15 +140,18 @@ void SceneBuffers::bindTo(BindingSet& set) const {
 }
 
 void SceneBuffers::bindVertices(VkCommandBuffer command, bool withAttributes) const {
-  const VkBuffer buffers[] = {vertices_, attributes_};
-  const VkDeviceSize offsets[] = {0, 0};
-  vkCmdBindVertexBuffers(command, 0, withAttributes ? 2 : 1, buffers, offsets);
+  const VkBuffer buffers[] = {static_cast<const Buffer&>(vertices_), places_,
+                              static_cast<const Buffer&>(attributes_)};
+  const VkDeviceSize offsets[] = {0, 0, 0};
+  vkCmdBindVertexBuffers(command, 0, withAttributes ? 3 : 2, buffers, offsets);
   vkCmdBindIndexBuffer(command, indices_, 0, VK_INDEX_TYPE_UINT32);
 }
 
 std::vector<VkVertexInputBindingDescription> SceneBuffers::vertexBindings(bool withAttributes) {
-  std::vector<VkVertexInputBindingDescription> out{{0, sizeof(shared::Vertex), VK_VERTEX_INPUT_RATE_VERTEX}};
-  if (withAttributes) out.push_back({1, sizeof(shared::Attributes), VK_VERTEX_INPUT_RATE_VERTEX});
+  std::vector<VkVertexInputBindingDescription> out{
+      {0, sizeof(shared::Vertex), VK_VERTEX_INPUT_RATE_VERTEX},
+      {1, sizeof(shared::Instance), VK_VERTEX_INPUT_RATE_INSTANCE}};
+  if (withAttributes) out.push_back({2, sizeof(shared::Attributes), VK_VERTEX_INPUT_RATE_VERTEX});
   return out;
 }
 
@@ -125,9 +161,11 @@ std::vector<VkVertexInputAttributeDescription> SceneBuffers::vertexAttributes(bo
       {0, 0, VK_FORMAT_R32G32B32_SFLOAT, offsetof(shared::Vertex, position)}};
   if (withTriangle) out.push_back({1, 0, VK_FORMAT_R32_UINT, offsetof(shared::Vertex, triangle)});
   if (withAttributes) {
-    out.push_back({2, 1, VK_FORMAT_R32G32_SFLOAT, offsetof(shared::Attributes, uv)});
-    out.push_back({3, 1, VK_FORMAT_R8G8B8A8_UNORM, offsetof(shared::Attributes, colour)});
+    out.push_back({2, 2, VK_FORMAT_R32G32_SFLOAT, offsetof(shared::Attributes, uv)});
+    out.push_back({3, 2, VK_FORMAT_R8G8B8A8_UNORM, offsetof(shared::Attributes, colour)});
   }
+  for (std::uint32_t row = 0; row < 3; ++row)
+    out.push_back({4 + row, 1, VK_FORMAT_R32G32B32A32_SFLOAT, 16 * row});
   return out;
 }
 

@@ -15,8 +15,10 @@ class SceneBuffers {
   SceneBuffers(const Device&, std::shared_ptr<const Scene>);
 
   const Scene& scene() const { return *scene_; }
-  std::uint32_t drawCount() const { return drawCount_; }  // a multiple of shared::kDrawsPerChunk
+  // A multiple of shared::kDrawsPerChunk.
+  std::uint32_t drawCount() const { return static_cast<std::uint32_t>(drawInstances_.size()); }
   const std::array<glm::uvec2, shared::kBuckets>& buckets() const { return buckets_; }  // first chunk, chunks
+  bool plainColours() const { return plainColours_; }  // no textures, all vertex colours white
   VkDeviceSize bytes() const;
 
   // Places the instances relative to this origin, if they aren't yet.
@@ -30,11 +32,14 @@ class SceneBuffers {
 
  private:
   std::shared_ptr<const Scene> scene_;
-  Buffer vertices_, attributes_, indices_, clusters_, draws_, instances_, materials_;
+  TexelBuffer vertices_, attributes_, triangles_, draws_, instances_;
+  Buffer indices_, clusters_, materials_;
+  Buffer places_;  // shared::Instance a draw, read as vertex attributes of instance rate
   GpuImage textures_;
   Sampler sampler_;
   std::array<glm::uvec2, shared::kBuckets> buckets_{};
-  std::uint32_t drawCount_ = 0;
+  bool plainColours_;
+  std::vector<std::uint32_t> drawInstances_;  // instance of each draw
   std::optional<glm::dvec3> origin_;
 };
 

@@ -5,20 +5,25 @@
 
 SUNDIAL_SHARED_BEGIN
 
-SUNDIAL_CONST kBindFrame = 0u;       // uniform: FrameConstants
-SUNDIAL_CONST kBindVertices = 1u;    // Vertex[]
-SUNDIAL_CONST kBindAttributes = 2u;  // Attributes[]
-SUNDIAL_CONST kBindIndices = 3u;     // uint[]
-SUNDIAL_CONST kBindClusters = 4u;    // Cluster[]
-SUNDIAL_CONST kBindDraws = 5u;       // Draw[]
-SUNDIAL_CONST kBindInstances = 6u;   // Instance[]
-SUNDIAL_CONST kBindMaterials = 7u;   // Material[]
-SUNDIAL_CONST kBindAnalysis = 8u;    // Analysis
-SUNDIAL_CONST kBindPlan = 9u;        // Plan
-SUNDIAL_CONST kBindCommands = 10u;   // DrawCommand[]
-SUNDIAL_CONST kBindVisible = 11u;    // uvec2[]: a bit a draw, by cull slot and chunk
-SUNDIAL_CONST kBindCounts = 12u;     // uint[]: commands, by cull slot and bucket
-SUNDIAL_CONST kStorageBindings = 13u;
+SUNDIAL_CONST kBindFrame = 0u;  // uniform: FrameConstants
+
+SUNDIAL_CONST kBindClusters = 1u;   // Cluster[]
+SUNDIAL_CONST kBindMaterials = 2u;  // Material[]
+SUNDIAL_CONST kBindAnalysis = 3u;   // Analysis
+SUNDIAL_CONST kBindPlan = 4u;       // Plan
+SUNDIAL_CONST kBindCommands = 5u;   // DrawCommand[]
+SUNDIAL_CONST kBindVisible = 6u;    // uvec2[]: a bit a draw, by cull slot and chunk
+SUNDIAL_CONST kBindCounts = 7u;     // uint[]: commands, by cull slot and bucket
+SUNDIAL_CONST kStorageBindings = 8u;
+
+// Read at random, so through texel buffers: lavapipe gathers a whole texel at once, but a storage buffer's words one by
+// one and lane by lane.
+SUNDIAL_CONST kBindVertices = 8u;     // RGBA32UI: Vertex
+SUNDIAL_CONST kBindAttributes = 9u;   // RGBA32UI: Attributes
+SUNDIAL_CONST kBindTriangles = 10u;   // RGBA32UI: Triangle
+SUNDIAL_CONST kBindDraws = 11u;       // RG32UI: Draw
+SUNDIAL_CONST kBindInstances = 12u;   // RGBA32F: a row of Instance
+SUNDIAL_CONST kTexelBindings = 13u;
 
 SUNDIAL_CONST kBindTextures = 13u;    // sampler2DArray: base colour
 SUNDIAL_CONST kBindDepth = 14u;       // sampler2D: the G-buffer's depth

@@ -13,6 +13,7 @@ SUNDIAL_CONST kNoShadowView = 0xffffffffu;
 // as in the image, depth reversed: 1 at the near plane, 0 at the far plane.
 struct ShadowView {
   mat4 shadowFromWorld;  // from world space relative to the frame's origin (FrameConstants)
+  mat4 worldFromShadow;  // its inverse: carries planes from world to shadow space
   uvec2 rectOffset;      // texels, in the store's image
   uvec2 rectSize;        // texels
   vec2 texelSize;        // directional: metres; spot: metres at one metre from the light

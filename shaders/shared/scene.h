@@ -19,6 +19,13 @@ struct Vertex {
 struct Attributes {
   vec2 uv;      // in the base colour texture, KHR_texture_transform applied
   uint colour;  // vertex colour, RGBA8 unorm, R in the lowest byte
+  uint padding;
+};
+
+// What a triangle is made of, for passes that start from its index.
+struct Triangle {
+  uint vertices[3];
+  uint material;
 };
 
 // At most kMaxClusterTriangles triangles of one material: indices [firstIndex, firstIndex + indexCount).

@@ -33,7 +33,7 @@ Result<json> parseJson(std::string_view text, std::uint64_t maxBytes) {
     document = json::parse(text.begin(), text.end(), keep);
   } catch (const json::exception& e) {
     const auto* syntax = dynamic_cast<const json::parse_error*>(&e);
-    if (syntax && syntax->byte >= text.size())
+    if (syntax && syntax->byte > text.size())
       return fail(
           ErrorCode::dataLoss,
           fmt::format("the JSON is cut off after {} bytes: copy or export the file again", text.size()));
@@ -126,6 +126,8 @@ Result<Document> parseDocument(std::string_view text, std::uint64_t maxBytes) {
   if (!reduced) return std::unexpected(reduced.error());
   *parsed = nullptr;
 
+  if (!reduced->contains("asset"))
+    return invalid("asset.version is missing: glTF requires it; give a glTF 2.0 file");
   const std::string version = (*reduced)["asset"]["version"];
   if (!version.starts_with("2."))
     return invalid(

@@ -1,0 +1,14 @@
+// A method's plan drawn over light space.
+#pragma once
+
+#include <string>
+
+#include "sundial/rendering.h"
+
+namespace sundial::page {
+
+// An SVG file: how densely the view samples lie in light space, and over them each view of the plan with its
+// texels. A method without a plan gets a note. Needs the colour and position images.
+std::string planPicture(const client::MethodRendering&, const v1::Light&);
+
+}  // namespace sundial::page

@@ -1,0 +1,184 @@
+// The built-in scenes are the same everywhere, as large as stated, and grid's closed form tells the truth.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <cstring>
+#include <random>
+
+#include "scene/builtin/grid.h"
+#include "scene/builtin/random.h"
+#include "scene/load.h"
+#include "scene_invariants.h"
+
+namespace sundial {
+namespace {
+
+// FNV-1a over everything that a renderer reads.
+std::uint64_t hashOf(const Scene& scene) {
+  std::uint64_t hash = 14695981039346656037u;
+  const auto add = [&](const auto& values) {
+    const auto* bytes = reinterpret_cast<const unsigned char*>(values.data());
+    for (std::size_t i = 0; i < values.size() * sizeof(values[0]); ++i)
+      hash = (hash ^ bytes[i]) * 1099511628211u;
+  };
+  add(scene.vertices);
+  add(scene.attributes);
+  add(scene.indices);
+  add(scene.sourceTriangle);
+  add(scene.clusters);
+  for (const Instance& instance : scene.instances) {
+    double matrix[16];
+    std::memcpy(matrix, &instance.worldFromMesh, sizeof(matrix));
+    add(std::span<const double>(matrix));
+  }
+  for (const auto& texture : scene.textures) add(texture);
+  return hash;
+}
+
+TEST(Builtin, EveryRowKeepsTheInvariants) {
+  ASSERT_GE(builtinScenes().size(), 3u);
+  for (const BuiltinInfo& info : builtinScenes()) {
+    SCOPED_TRACE(info.name);
+    const Result<Scene> scene = makeBuiltin(info.name);
+    ASSERT_TRUE(scene) << scene.error().message;
+    expectInvariants(*scene);
+
+    ASSERT_GE(scene->views.size(), 3u);
+    EXPECT_EQ(scene->views[0].name, "main");
+    ASSERT_GE(scene->lights.size(), 3u);
+    EXPECT_EQ(scene->lights[0].name, "sun");
+    EXPECT_NEAR(-glm::degrees(std::asin(scene->lights[0].light.direction.y)), 50, 1);
+    bool low = false, spot = false;
+    for (const NamedLight& light : scene->lights) {
+      EXPECT_NEAR(glm::length(light.light.direction), 1, 1e-9);
+      low |= light.name == "low" && std::abs(glm::degrees(std::asin(-light.light.direction.y)) - 5) < 0.01;
+      spot |= light.name == "spot" && light.light.kind == LightKind::spot;
+    }
+    EXPECT_TRUE(low && spot);
+    ASSERT_GE(scene->paths.size(), 1u);
+    for (const NamedPath& path : scene->paths) EXPECT_TRUE(path.keys.size() >= 2 && path.frames >= 2);
+  }
+}
+
+TEST(Builtin, TriangleCountsAreNearThoseOfThePapers) {
+  const auto count = [](std::string_view name) {
+    return static_cast<double>(makeBuiltin(name)->instancedTriangles());
+  };
+  EXPECT_NEAR(count("atrium"), 262'000, 2'600);
+  EXPECT_NEAR(count("trees"), 995'000, 5'000);
+  EXPECT_EQ(count("grid"), 202);
+}
+
+TEST(Builtin, IsTheSameEachTime) {
+  for (const BuiltinInfo& info : builtinScenes())
+    EXPECT_EQ(hashOf(*makeBuiltin(info.name)), hashOf(*makeBuiltin(info.name))) << info.name;
+}
+
+TEST(Builtin, IsTheSameOnEveryMachine) {
+  EXPECT_EQ(hashOf(*makeBuiltin("atrium")), 6911127348048940530u);
+  EXPECT_EQ(hashOf(*makeBuiltin("trees")), 16422227621423502261u);
+  EXPECT_EQ(hashOf(*makeBuiltin("grid")), 5931288439099173235u);
+}
+
+TEST(Builtin, ParametersAreObeyedAndChecked) {
+  EXPECT_EQ(makeBuiltin("trees?count=30")->instances.size(), 31u);
+  EXPECT_NE(hashOf(*makeBuiltin("trees?count=30&seed=1")), hashOf(*makeBuiltin("trees?seed=2&count=30")));
+  EXPECT_EQ(makeBuiltin("grid?n=3")->sourceTriangle.size(), 20u);
+  const auto expectError = [](std::string_view reference, ErrorCode code, const std::string& words) {
+    const Result<Scene> scene = makeBuiltin(reference);
+    ASSERT_FALSE(scene) << reference;
+    EXPECT_EQ(scene.error().code, code);
+    EXPECT_NE(scene.error().message.find(words), std::string::npos) << scene.error().message;
+  };
+  expectError("sponza", ErrorCode::notFound, "there are: atrium, trees, grid");
+  expectError("", ErrorCode::notFound, "atrium");
+  expectError("trees?count=0", ErrorCode::invalidArgument, "must be an integer, 1 to 20000");
+  expectError("trees?count=", ErrorCode::invalidArgument, "1 to 20000");
+  expectError("trees?count=5x", ErrorCode::invalidArgument, "1 to 20000");
+  expectError("trees?count=-5", ErrorCode::invalidArgument, "1 to 20000");
+  expectError("trees?count=99999999999999999999", ErrorCode::invalidArgument, "1 to 20000");
+  expectError("trees?size=3", ErrorCode::invalidArgument, "count 1 to 20000, seed 0 to 4294967295");
+  expectError("atrium?x=1", ErrorCode::invalidArgument, "it has: none");
+}
+
+TEST(Builtin, SinesAreSines) {
+  for (int i = -5000; i <= 5000; ++i) {
+    const double turns = i / 777.0;
+    EXPECT_NEAR(builtin::sinTurns(turns), std::sin(turns * 2 * std::acos(-1.0)),
+                3e-15 * (1 + std::abs(turns) * 6));
+    EXPECT_NEAR(builtin::cosTurns(turns), std::cos(turns * 2 * std::acos(-1.0)),
+                3e-15 * (1 + std::abs(turns) * 6));
+  }
+}
+
+// Whether some triangle of the scene's plates lies between a ground point and the light: by brute force, from
+// the triangles alone.
+bool reachesLight(const Scene& scene, const glm::dvec3& point, const Light& light) {
+  const glm::dvec3 towards = light.kind == LightKind::directional ? -light.direction : light.position - point;
+  for (std::size_t t = 0; t < scene.sourceTriangle.size(); ++t) {
+    const auto p = [&](std::size_t c) {
+      return glm::dvec3(scene.vertices[scene.indices[3 * t + c]].position);
+    };
+    const double s = (p(0).y - point.y) / towards.y;
+    if (p(0).y <= point.y || s > 1e9 || (light.kind != LightKind::directional && s >= 1)) continue;
+    const glm::dvec3 hit = point + s * towards;
+    int sides = 0;
+    for (std::size_t c = 0; c < 3; ++c) {
+      const glm::dvec3 a = p(c), b = p((c + 1) % 3);
+      sides += (b.x - a.x) * (hit.z - a.z) - (b.z - a.z) * (hit.x - a.x) > 0 ? 1 : -1;
+    }
+    if (std::abs(sides) == 3) return false;
+  }
+  return true;
+}
+
+TEST(Grid, ClosedFormAgreesWithTheTriangles) {
+  const Result<Scene> scene = makeBuiltin("grid");
+  ASSERT_TRUE(scene);
+  const std::vector<builtin::Plate> plates = builtin::gridPlates(10);
+  ASSERT_EQ(plates.size(), 100u);
+  std::mt19937 random(7);
+  std::uniform_real_distribution<double> anywhere(-builtin::gridGroundHalf(10), builtin::gridGroundHalf(10));
+  for (const NamedLight& light : scene->lights) {
+    for (const double height : {0.0, 1.25}) {  // on the ground and on plates
+      const builtin::GridShadow shadow(plates, light.light, height);
+      int lit = 0, dark = 0;
+      for (int i = 0; i < 4000; ++i) {
+        const glm::dvec2 p(anywhere(random), anywhere(random));
+        if (shadow.edgeDistance(p) < 1e-9) continue;
+        const bool truth = reachesLight(*scene, {p.x, height, p.y}, light.light);
+        ASSERT_EQ(shadow.lit(p), truth) << light.name << " at " << p.x << ", " << p.y;
+        ++(truth ? lit : dark);
+      }
+      EXPECT_GT(lit, 0) << light.name;
+      EXPECT_GT(dark, 0) << light.name;
+    }
+  }
+}
+
+TEST(Grid, EdgeDistanceIsWhereLightChanges) {
+  const std::vector<builtin::Plate> plates = builtin::gridPlates(10);
+  std::mt19937 random(8);
+  std::uniform_real_distribution<double> anywhere(-10, 10), turn(0, 1);
+  const Result<Scene> scene = makeBuiltin("grid");
+  ASSERT_TRUE(scene);
+  for (const NamedLight& light : scene->lights) {
+    const builtin::GridShadow shadow(plates, light.light);
+    for (int i = 0; i < 300; ++i) {
+      const glm::dvec2 p(anywhere(random), anywhere(random));
+      const double distance = shadow.edgeDistance(p);
+      // Nothing changes within the distance; something does just beyond it, in one of many directions.
+      bool changes = false;
+      for (int k = 0; k < 720; ++k) {
+        const double angle = k / 720.0;
+        const glm::dvec2 direction(builtin::cosTurns(angle), builtin::sinTurns(angle));
+        ASSERT_EQ(shadow.lit(p + direction * (distance * turn(random) * 0.999)), shadow.lit(p)) << light.name;
+        changes |= shadow.lit(p + direction * (distance * 1.02 + 1e-6)) != shadow.lit(p);
+      }
+      EXPECT_TRUE(changes) << light.name << " at " << p.x << ", " << p.y;
+    }
+  }
+}
+
+}  // namespace
+}  // namespace sundial

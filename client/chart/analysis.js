@@ -60,8 +60,8 @@ const passesOf = cases => {
 // One summary a method with its parameters: geometric means of times, means of the rest, over the views, lights
 // and sizes that the cases have; or, with `apart`, one a case. `complete`: it was measured wherever any was.
 export const summarise = (cases, apart = false) => {
-  const wanted = new Set(cases.map(configurationOf)).size;
-  const groups = groupBy(cases.filter(one => !one.error), one => apart ? one.id : one.label);
+  const good = cases.filter(one => !one.error), wanted = new Set(good.map(configurationOf)).size;
+  const groups = groupBy(good, one => apart ? one.id : one.label);
   return [...groups].map(([key, members]) => {
     const spread = name => together(members.map(one => [one.m[name], one.m[name], one.m[name]]), mean);
     const names = Object.keys(members[0].m);

@@ -8,10 +8,15 @@ const PICTURES = [['picture', 'Picture'], ['error', 'Errors'], ['plan', 'Plan']]
 const list = pairs => element('dl', {class: 'facts'}, pairs.map(([name, text, more]) => element('div', {},
   element('dt', {}, name), element('dd', {}, text, more ? element('small', {}, ' ' + more) : null))));
 
-// Pictures are text in the page until someone looks.
+// Pictures are text in the page until someone looks: a URI, or a drawing.
+const sourceOf = id => {
+  const text = byId(id).textContent;
+  return text.startsWith('data:') ? text : 'data:image/svg+xml,' + encodeURIComponent(text);
+};
+
 const pictures = one => element('div', {class: 'pictures'}, PICTURES.map(([key, title]) => element('figure', {},
   element('figcaption', {}, element('strong', {}, title)),
-  one.images[key] ? element('img', {src: byId(one.images[key]).textContent, alt: `${title} of ${one.label}`})
+  one.images[key] ? element('img', {src: sourceOf(one.images[key]), alt: `${title} of ${one.label}`})
     : element('p', {class: 'missing'}, 'not kept; sundial sweep --images keeps it'))));
 
 const numbers = one => list([

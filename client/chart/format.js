@@ -23,3 +23,9 @@ export const levelText = (error, level) => level === 0 ? 'exact' : `≤ ${+(leve
 export const timeText = (time, value) => time === 'ms' ? `${significant(value)} ms` : `${significant(value)} ×`;
 
 export const range = (spread, text) => spread[1] === spread[2] ? '' : `[${text(spread[1])}, ${text(spread[2])}]`;
+
+// "sm 2048" for "sm,texels=2048": a name beside a mark, where only one parameter differs.
+export const briefName = label => {
+  const [method, ...parameters] = label.split(',');
+  return parameters.length === 1 ? `${method} ${parameters[0].split('=')[1]}` : label;
+};

@@ -16,14 +16,15 @@ std::string brief(const std::string& value) {
 
 }  // namespace
 
-// A parameter that some cases of a method don't have differs too.
+// A parameter that some cases of a method don't have differs too; but those of failed cases are only what was
+// asked for.
 void labelCases(std::vector<Case>& cases) {
   std::map<std::string, std::map<std::string, std::set<std::string>>> values;  // by method and parameter
   for (const Case& one : cases)
     for (const auto& [key, value] : one.parameters) values[one.method][key].insert(value);
   for (const Case& one : cases)
     for (auto& [key, seen] : values[one.method])
-      if (!one.parameters.contains(key)) seen.insert("");
+      if (!one.failed && !one.parameters.contains(key)) seen.insert("");
   for (Case& one : cases) {
     one.label = one.method;
     for (const auto& [key, value] : one.parameters)

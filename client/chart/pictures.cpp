@@ -36,15 +36,17 @@ std::string Pictures::add(const std::filesystem::path& file) {
     ++missing_;
     return "";
   }
-  const auto [place, isNew] = places_.try_emplace(page::dataUri(type, bytes), uris_.size());
-  if (isNew) uris_.push_back(place->first);
+  // A drawing stays as it is, which is shorter, unless it would end the element that holds it.
+  const bool plain = type == "image/svg+xml" && !bytes.contains("<!--") && !bytes.contains("script");
+  const auto [place, isNew] = places_.try_emplace(plain ? bytes : page::dataUri(type, bytes), texts_.size());
+  if (isNew) texts_.push_back(place->first);
   return fmt::format("image-{}", place->second);
 }
 
 std::string Pictures::elements() const {
   std::string html;
-  for (std::size_t i = 0; i < uris_.size(); ++i)
-    html += fmt::format("<script type=\"text/plain\" id=\"image-{}\">{}</script>\n", i, uris_[i]);
+  for (std::size_t i = 0; i < texts_.size(); ++i)
+    html += fmt::format("<script type=\"text/plain\" id=\"image-{}\">{}</script>\n", i, texts_[i]);
   return html;
 }
 

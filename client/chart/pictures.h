@@ -16,12 +16,12 @@ class Pictures {
 
   std::size_t missing() const { return missing_; }
 
-  // One script element a picture; browsers don't look into it.
+  // One script element a picture, which browsers don't look into: a data URI, or a drawing as it is.
   std::string elements() const;
 
  private:
-  std::vector<std::string> uris_;
-  std::unordered_map<std::string, std::size_t> places_;  // of the URIs
+  std::vector<std::string> texts_;
+  std::unordered_map<std::string, std::size_t> places_;  // of the texts
   std::size_t missing_ = 0;
 };
 

@@ -4,9 +4,9 @@
 
 #include <algorithm>
 #include <nlohmann/json.hpp>
-#include <set>
 
 #include "chart/assets.h"
+#include "chart/pass_figure.h"
 #include "chart/pictures.h"
 #include "page/mark.h"
 #include "page/page_assets.h"
@@ -73,18 +73,13 @@ std::vector<std::string> distinct(const std::vector<Case>& cases, Get get) {
   return values;
 }
 
-// In the order of execution (DESIGN section 2), then others as they come.
 ordered_json passes(const std::vector<Case>& cases) {
-  std::vector<std::string> names{"gbuffer", "analyze", "plan", "cull", "store", "resolve", "shade"};
-  std::set<std::string> used;
-  for (const Case& one : cases)
-    for (const Pass& pass : one.passes)
-      if (used.insert(pass.name).second && std::ranges::find(names, pass.name) == names.end())
-        names.push_back(pass.name);
+  std::vector<const Case*> all;
+  for (const Case& one : cases) all.push_back(&one);
   ordered_json list = ordered_json::array();
-  for (std::size_t i = 0; i < names.size(); ++i)
-    if (used.contains(names[i]))
-      list.push_back({{"name", names[i]}, {"colour", page::colourOf(i)}, {"ink", page::inkOn(i)}});
+  for (const std::string& name : passOrder(all))
+    list.push_back(
+        {{"name", name}, {"colour", page::colourOf(list.size())}, {"ink", page::inkOn(list.size())}});
   return list;
 }
 

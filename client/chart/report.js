@@ -4,9 +4,9 @@ import {bars} from './bars.js';
 import {openCases} from './dialog.js';
 import {byId, element, markPicture} from './elements.js';
 import {draw, note} from './figure.js';
-import {bytes, errorText, percent, range, significant, timeText} from './format.js';
+import {briefName, bytes, errorText, percent, range, significant, timeText} from './format.js';
 import {PADDING, scatter} from './scatter.js';
-import {drawCheapest, drawFailed, drawNumbers} from './tables.js';
+import {drawCheapest, drawFailed, drawNumbers, drawPasses} from './tables.js';
 
 const data = JSON.parse(byId('data').textContent);
 const cases = data.cases, marks = data.marks;
@@ -33,7 +33,7 @@ const tipOf = (one, error) => ({
 const pointsOf = (summaries, error, xOf, yOf) => summaries.filter(one => xOf(one) && yOf(one)).map(one => {
   const [x, xLow, xHigh] = xOf(one), [y, yLow, yHigh] = yOf(one);
   return {key: one.key, method: one.method, family: one.group + one.method, group: one.group, complete: one.complete,
-    name: one.label, summary: one, x, xLow, xHigh, y, yLow, yHigh, tip: tipOf(one, error),
+    name: briefName(one.label), summary: one, x, xLow, xHigh, y, yLow, yHigh, tip: tipOf(one, error),
     spoken: `${errorText(error, one.m[error.key][0])} ${error.title}, ${timeText('ratio', one.ratio[0])} the baseline's time`};
 });
 
@@ -52,11 +52,12 @@ const timeTitle = () => state.time === 'ms' ? 'frame time, median [ms]' : `frame
 const drawBars = summaries => {
   const rows = summaries.filter(one => one.passes.length).map(one => {
     const passes = data.passes.map(pass => one.passes.find(p => p.name === pass.name)).filter(Boolean).map(pass => ({
-      name: pass.name, value: pass[state.time],
+      ...pass, value: pass[state.time],
       tip: {title: `${one.label}: ${pass.name}`, lines: [['time', significant(pass.ms) + ' ms'], ['ratio', significant(pass.ratio)]]}}));
     return {label: state.apart ? `${one.label} · ${one.cases[0].view} · ${one.cases[0].light}` : one.label, passes,
       sum: passes.reduce((sum, pass) => sum + pass.value, 0)};
   }).sort((a, b) => a.sum - b.sum);
+  drawPasses(rows, data.passes.map(pass => pass.name));
   if (rows.length === 0) return note('passes', 'No passes were timed.');
   const colours = Object.fromEntries(data.passes.map(pass => [pass.name, pass]));
   draw('passes', bars({rows, colours, width: byId('passes').clientWidth - 2, text: value => timeText(state.time, value),
@@ -87,9 +88,11 @@ const redraw = () => {
 };
 
 // Controls.
-const choice = (label, values, value, change) => element('label', {}, element('span', {}, label),
-  element('select', {id: 'choose-' + label.split(' ')[0], onchange: e => { change(e.target.value); redraw(); }},
-    values.map(([key, text]) => element('option', {value: key, selected: key === value}, text))));
+const options = (pairs, value) => pairs.map(([key, text]) => element('option', {value: key, selected: key === value}, text));
+
+const choice = (label, pairs, value, change) => element('label', {}, element('span', {}, label),
+  element('select', {id: 'choose-' + label, onchange: e => { change(e.target.value); redraw(); }},
+    options(pairs, value)));
 
 const toggle = (id, label, pairs, get, set) => element('div', {class: 'toggle', id, role: 'group', 'aria-label': label},
   pairs.map(([value, text]) => element('button', {'data-value': value, 'aria-pressed': String(get() === value), onclick: e => {
@@ -98,12 +101,19 @@ const toggle = (id, label, pairs, get, set) => element('div', {class: 'toggle', 
     redraw();
   }}, text)));
 
-for (const key of FILTERS) {
-  const values = distinct(cases, key);
-  if (values.length > 1)
-    byId('choices').append(choice(key, [['', `all ${values.length}`], ...values.map(v => [v, v])], state.chosen[key],
-      value => { state.chosen[key] = value; }));
-}
+// Views, lights and sizes are those of the chosen scene; a choice that it doesn't have becomes all of them.
+const fillFilters = () => {
+  for (const key of FILTERS.filter(name => byId('choose-' + name))) {
+    const values = distinct(key === 'scene' ? cases : matching(cases, {scene: state.chosen.scene}), key);
+    if (!values.includes(state.chosen[key])) state.chosen[key] = '';
+    byId('choose-' + key).replaceChildren(...options([['', `all ${values.length}`], ...values.map(v => [v, v])], state.chosen[key]));
+  }
+};
+
+for (const key of FILTERS)
+  if (distinct(cases, key).length > 1)
+    byId('choices').append(choice(key, [], '', value => { state.chosen[key] = value; fillFilters(); }));
+fillFilters();
 byId('choices').append(
   choice('error', ERRORS.map(one => [one.key, one.title]), state.error, value => { state.error = value; }),
   choice('memory', [['total_bytes', 'all it needs'], ['store_bytes', 'the store'], ['allocated_bytes', 'set aside']], state.memory,

@@ -78,10 +78,21 @@ Spread spread(const json& object, const char* median, const char* quartiles) {
   return result;
 }
 
-// A view or light by its name, or else by what it is.
+// Of the first point or direction in a view or light: "eye 1.5, 2, -3".
+std::string placeIn(const json& object) {
+  for (const auto& [name, value] : object.items()) {
+    if (!value.is_object()) continue;
+    if (!value.contains("x")) return placeIn(value);
+    return fmt::format("{} {:.4g}, {:.4g}, {:.4g}", name, numberOr(value, "x", 0), numberOr(value, "y", 0),
+                       numberOr(value, "z", 0));
+  }
+  return "default";
+}
+
+// A view or light by its name, or else by where it is.
 std::string nameOr(const json& object, const char* name, const char* value) {
   const std::string given = textOr(object, name, "");
-  return given.empty() && object.contains(value) ? textOf(object[value]) : given;
+  return given.empty() ? placeIn(objectIn(object, value)) : given;
 }
 
 Measures measuresOf(const json& object) {

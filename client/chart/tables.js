@@ -1,7 +1,7 @@
 // The tables: the cheapest method for each level of error, all numbers, what failed.
 import {FILTERS, cheapest, distinct, summarise} from './analysis.js';
 import {byId, element, markPicture, table} from './elements.js';
-import {bytes, errorText, levelText, percent, range, significant, timeText} from './format.js';
+import {briefName, bytes, errorText, levelText, percent, range, significant, timeText} from './format.js';
 
 const opener = (summary, marks, open, text = summary.label) =>
   element('button', {class: 'plain', onclick: () => open(summary)}, markPicture(marks[summary.method]), ' ', text);
@@ -12,7 +12,7 @@ export const drawCheapest = ({cases, error, time, marks, open}) => {
     const summaries = summarise(cases.filter(one => one.scene === scene));
     return [scene, ...error.levels.map(level => {
       const best = cheapest(summaries, error.key, level, time);
-      return best ? [opener(best, marks, open), element('small', {class: 'below'},
+      return best ? [opener(best, marks, open, briefName(best.label)), element('small', {class: 'below'},
         `${timeText(time, best[time][0])} · ${bytes(best.m.total_bytes[0])}`)] : element('span', {class: 'none', title: 'no method of the sweep'}, '–');
     })];
   });
@@ -40,3 +40,10 @@ export const drawFailed = cases => {
   byId('failed').replaceChildren(table(['method', ...FILTERS, 'code', 'message'],
     failed.map(one => [one.label, ...FILTERS.map(key => one[key]), one.error.code, one.error.message])));
 };
+
+// rows: {label, passes: [{name, ms, ratio}]}
+export const drawPasses = (rows, names) => byId('passes-numbers').replaceChildren(table(['method', ...names], rows.map(row =>
+  [row.label, ...names.map(name => {
+    const pass = row.passes.find(one => one.name === name);
+    return pass ? [significant(pass.ms), element('small', {}, ` ${significant(pass.ratio)} ×`)] : '–';
+  })])));

@@ -2,10 +2,13 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <filesystem>
+#include <iterator>
 #include <memory>
 #include <nlohmann/json.hpp>
 
 #include "chart/csv.h"
+#include "chart/figures.h"
 #include "chart/report.h"
 #include "chart/results.h"
 #include "command/command.h"
@@ -39,14 +42,26 @@ void checkOutput(const char* option, const std::string& file) {
   if (const auto why = image::whyUnwritable(file)) throw refusal(fmt::format("{}: {}", option, *why));
 }
 
+// The folder may be new.
+void makeFolder(const fs::path& folder) {
+  std::error_code error;
+  if (!fs::is_directory(folder, error) && !fs::create_directories(folder, error))
+    throw refusal(fmt::format("--svg: can't make the folder {}: {}; choose another", folder.string(),
+                              error ? error.message() : "a file is in its place"));
+  checkOutput("--svg", folder / "x.svg");
+}
+
 void draw(const Session& session, const Options& options) {
   if (!options.output.empty()) checkOutput("-o", options.output);
   if (!options.csv.empty()) checkOutput("--csv", options.csv);
   chart::Results results = read(options.files);
+  if (!options.svg.empty()) makeFolder(options.svg);
 
   std::vector<image::OutputFile> files;
   files.push_back({options.output, chart::reportPage(results, options.credits)});
   if (!options.csv.empty()) files.push_back({options.csv, chart::csvOf(results.cases)});
+  if (!options.svg.empty())
+    std::ranges::move(chart::figures(results.cases, options.svg), std::back_inserter(files));
   image::writeFiles(files);
 
   const auto failed =
@@ -81,6 +96,10 @@ void addChart(CLI::App& app, Action& action) {
       ->type_name("FILE.html")
       ->required();
   command->add_option("--csv", options->csv, "a row a case, for spreadsheets")->type_name("FILE");
+  command
+      ->add_option("--svg", options->svg,
+                   "folder of charts for papers: error against time and memory, passes")
+      ->type_name("DIR");
   command
       ->add_option("--credit", options->credits,
                    "who made a scene: a line at the page's end; repeat it for each")

@@ -29,7 +29,7 @@ export const draw = (id, specification, description, open = null) => {
   if (open) view.addEventListener('click', (event, item) => item?.datum?.key && open(item.datum));
   view.run();
   if (!open) return;
-  for (const mark of place.querySelectorAll('.marks path')) {
+  for (const mark of place.querySelectorAll('.dots path')) {
     mark.setAttribute('tabindex', 0);
     mark.setAttribute('role', 'button');
     const datum = mark.__data__.datum, box = () => mark.getBoundingClientRect();

@@ -70,18 +70,18 @@ export const scatter = ({points, fronts, marks, x, y, width, height}) => {
       lines('joins', 'family', {stroke: {field: 'colour'}, strokeWidth: {value: 1}, strokeDash: {value: [3, 3]},
         strokeOpacity: {value: 0.8}}),
       rule('pxLow', 'pxHigh', true), rule('pyLow', 'pyHigh', false),
-      {type: 'symbol', name: 'marks', from: {data: 'points'}, encode: {
+      {type: 'symbol', name: 'dots', from: {data: 'points'}, encode: {
         update: {x: {field: 'px'}, y: {field: 'py'}, shape: {field: 'outline'}, size: {value: 4.4},
           fill: {signal: "datum.filled ? datum.colour : 'var(--back)'"},
           stroke: {signal: "datum.filled ? 'var(--back)' : datum.colour"},
           strokeWidth: {signal: 'datum.filled ? 1 : 2'}, cursor: {value: 'pointer'}, tooltip: {signal: 'datum'},
           description: {signal: "datum.name + ', ' + datum.spoken + '; press Enter to open'"}},
         hover: {size: {value: 8}}}},
-      {type: 'text', name: 'names', from: {data: 'marks'}, interactive: false, encode: {enter: {text: {field: 'datum.name'},
-        fill: {value: INK}, stroke: {value: BACK}, strokeWidth: {value: 0}, fontSize: {value: 12}, fontWeight: {value: 500}}},
+      {type: 'text', name: 'names', from: {data: 'dots'}, interactive: false, encode: {enter: {text: {field: 'datum.name'},
+        fill: {value: INK}, stroke: {value: BACK}, strokeWidth: {value: 3}, fontSize: {value: 12}, fontWeight: {value: 500}}},
         transform: [{type: 'label', size: [width + PADDING.right, height], offset: [4, 5],
           anchor: ['right', 'top', 'bottom', 'left', 'top-right', 'bottom-right', 'top-left', 'bottom-left'],
-          avoidMarks: ['marks']}]},
+          avoidMarks: ['dots']}]},
     ],
   };
 };

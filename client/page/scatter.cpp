@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <map>
 
@@ -56,27 +57,46 @@ struct Placed {
   double x, y;
 };
 
-// Labels stand above their marks, to the right or at the chart's edge to the left, and move up until free.
+struct Box {
+  double left, right, top;
+  bool end;  // its text ends at its right
+};
+
+// Beside a mark: to the right, the left, and the corners.
+std::vector<Box> placesBeside(const Placed& mark) {
+  const double width = kLetter * static_cast<double>(mark.point->label.size()), middle = kLabelHeight / 2;
+  std::vector<Box> places;
+  for (const double top : {-middle, -9 - kLabelHeight, 9.0})
+    for (const double gap : top == -middle ? std::array{11.0, -11.0} : std::array{0.0, -0.1})
+      places.push_back(gap >= 0 ? Box{mark.x + gap, mark.x + gap + width, mark.y + top, false}
+                                : Box{mark.x + gap - width, mark.x + gap, mark.y + top, true});
+  return places;
+}
+
+// Each beside its mark where that is free, or else above it as near as may be.
 std::string labels(std::vector<Placed> marks) {
-  struct Box {
-    double left, right, top;
-  };
   std::vector<Box> taken;
-  for (const Placed& mark : marks) taken.push_back({mark.x - 7, mark.x + 7, mark.y - kLabelHeight / 2});
+  for (const Placed& mark : marks)
+    taken.push_back({mark.x - 7, mark.x + 7, mark.y - kLabelHeight / 2, false});
   std::ranges::sort(marks, std::ranges::greater{}, &Placed::y);
   std::string svg;
   for (const Placed& mark : marks) {
-    const double width = kLetter * static_cast<double>(mark.point->label.size());
-    const bool left = mark.x + width > kWidth - kRight;
-    Box box{left ? mark.x - width : mark.x, left ? mark.x : mark.x + width, mark.y - 9 - kLabelHeight};
-    const auto collides = [&](const Box& other) {
-      return box.left < other.right && other.left < box.right &&
-             std::abs(box.top - other.top) < kLabelHeight - 2;
+    const auto free = [&](const Box& box) {
+      return box.left > kLeft && box.right < kWidth && box.top > 0 && box.top < kHeight - kBottom - 10 &&
+             std::ranges::none_of(taken, [&](const Box& other) {
+               return box.left < other.right && other.left < box.right &&
+                      std::abs(box.top - other.top) < kLabelHeight - 2;
+             });
     };
-    while (std::ranges::any_of(taken, collides) && box.top > 0) box.top -= 4;
+    const std::vector<Box> places = placesBeside(mark);
+    const auto found = std::ranges::find_if(places, free);
+    Box box = found != places.end() ? *found : places[2];
+    if (box.right > kWidth) box = places[3];
+    while (!free(box) && box.top > 0) box.top -= 4;
     taken.push_back(box);
-    svg += fmt::format(R"svg(<text class="name" x="{:.1f}" y="{:.1f}"{}>{}</text>)svg", mark.x, box.top + 12,
-                       left ? R"( text-anchor="end")" : "", escaped(mark.point->label));
+    svg += fmt::format(R"svg(<text class="name" x="{:.1f}" y="{:.1f}"{}>{}</text>)svg",
+                       box.end ? box.right : box.left, box.top + 12, box.end ? R"( text-anchor="end")" : "",
+                       escaped(mark.point->label));
   }
   return svg;
 }

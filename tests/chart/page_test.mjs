@@ -77,7 +77,7 @@ try {
 
   // A mark tells its numbers and opens, by mouse and by keyboard.
   await dots('error-time').first().hover();
-  assert.match(await text('#tip'), /sm,texels=512[\s\S]*brackets/);
+  assert.match(await text('#tip'), /dv,texels=512[\s\S]*brackets/);
   await dots('error-time').first().click();
   const dialog = page.locator('#dialog');
   assert(await dialog.isVisible());
@@ -89,13 +89,13 @@ try {
   assert.match(await text('#dialog'), /case 2 of 4[\s\S]*512x512/);
   await page.keyboard.press('Escape');
   assert(!await dialog.isVisible());
-  await dots('error-time').nth(5).focus();
+  await dots('error-time').nth(1).focus();
   await page.keyboard.press('Enter');
   assert(await dialog.isVisible());
   assert.match(await text('#dialog h2'), /dv,texels=1024/);
   await page.click('#dialog form button');
   await page.locator('#numbers button').last().click();
-  assert.match(await text('#dialog h2'), /ray-traced/);
+  assert.match(await text('#dialog h2'), /spsm,texels=1024/);
   await page.keyboard.press('Escape');
 
   // Nothing is left to draw, and everything again.

@@ -59,8 +59,9 @@ const passesOf = cases => {
 
 const compare = (a, b) => a < b ? -1 : a > b ? 1 : 0;
 
-// In order of names: one summary a method with its parameters: geometric means of times, means of the rest, over the views, lights
-// and sizes that the cases have; or, with `apart`, one a case. `complete`: it was measured wherever any was.
+// In order of names, one summary a method with its parameters: geometric means of times, means of the rest, over
+// the views, lights and sizes that the cases have; or, with `apart`, one a case. `complete`: it was measured
+// wherever any was.
 export const summarise = (cases, apart = false) => {
   const good = cases.filter(one => !one.error), wanted = new Set(good.map(configurationOf)).size;
   const groups = groupBy(good, one => apart ? one.id : one.label);

@@ -54,4 +54,5 @@ void main() {
   plan.views[0].sampleCount = 0;
   plan.views[0].importance = 0;
   plan.views[0].empty = empty ? 1 : 0;
+  plan.views[0].padding = 0;
 }

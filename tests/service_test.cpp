@@ -132,10 +132,10 @@ TEST_F(ServiceTest, NamedViewsAndLightsAndTheirDefaults) {
   request.set_view_name("nowhere");
   const grpc::Status noView = render(request);
   EXPECT_EQ(noView.error_code(), grpc::StatusCode::NOT_FOUND);
-  EXPECT_EQ(noView.error_message(), "view_name is 'nowhere': the scene has near, far");
+  EXPECT_EQ(noView.error_message(), "the scene has no view 'nowhere': it has near, far");
   request.set_view_name("far");
   request.set_light_name("dusk");
-  EXPECT_EQ(render(request).error_message(), "light_name is 'dusk': the scene has noon, lamp");
+  EXPECT_EQ(render(request).error_message(), "the scene has no light 'dusk': it has noon, lamp");
 }
 
 TEST_F(ServiceTest, BadRequestsAreRefusedByName) {

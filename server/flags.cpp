@@ -106,7 +106,8 @@ Result<std::optional<Flags>> parseFlags(int argc, const char* const* argv, std::
   app.add_flag("--validation", flags.validation, "check all use of Vulkan by the validation layer (slow)");
   app.add_flag("--list-devices", flags.listDevices, "print the devices and exit");
   app.add_option("--queue", server.queue.waiting, "renderings that may wait")->check(positive);
-  app.add_option("--queue-per-client", server.queue.waitingPerClient, "of them, of one client")
+  app.add_option("--queue-per-client", server.queue.waitingPerClient,
+                 "of them, of one client: a certificate, or else a connection")
       ->check(positive);
   app.add_option("--max-image-side", server.calls.request.imageSide, "pixels")->check(CLI::Range(1, 8192));
   app.add_option("--max-output-mib", outputMib, "images of one rendering")->check(positive);

@@ -45,11 +45,12 @@ SceneSource sceneSource() {
 // One line a call, as key=value.
 void log(const CallRecord& call) {
   const auto level = call.status == grpc::StatusCode::OK ? spdlog::level::info : spdlog::level::warn;
-  spdlog::log(level,
-              "call id={} rpc={} client={} status={} total_ms={:.1f} render_ms={:.1f} bytes={} subject={:?} "
-              "message={:?}",
-              call.id, call.rpc, call.client, statusName(call.status), call.totalMs, call.renderMs,
-              call.bytesSent, call.subject, call.message);
+  spdlog::log(
+      level,
+      "call id={} rpc={} client={:?} status={} total_ms={:.1f} render_ms={:.1f} bytes={} subject={:?} "
+      "message={:?}",
+      call.id, call.rpc, call.client, statusName(call.status), call.totalMs, call.renderMs, call.bytesSent,
+      call.subject, call.message);
 }
 
 void setUpLog(const std::string& level) {
@@ -92,7 +93,6 @@ int main(int argc, char** argv) {
   }
   auto renderer = Renderer::create(flags.device, flags.validation);
   if (!renderer) return die(1, renderer.error());
-  spdlog::info("device name={:?} driver={:?}", (*renderer)->device().name, (*renderer)->device().driver);
 
   flags.server.onEnd = [&metrics](const CallRecord& call) {
     log(call);
@@ -107,6 +107,8 @@ int main(int argc, char** argv) {
   auto server = Server::start(std::move(flags.server), std::move(*renderer), sceneSource());
   if (!server) return die(server.error().code == ErrorCode::invalidArgument ? 2 : 1, server.error());
   if (metrics) metrics->watch(server->get());
+  const DeviceInfo& device = (*server)->queue().device();
+  spdlog::info("device name={:?} driver={:?}", device.name, device.driver);
   for (const std::string& address : (*server)->addresses()) spdlog::info("listening on {}", address);
 
   int signal = 0;

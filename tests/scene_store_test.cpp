@@ -197,8 +197,9 @@ TEST_F(SceneStoreTest, NothingOutsideTheRootIsServed) {
   fs::create_directory_symlink(folder, folder / "root" / "up");
   write("a.glb", "scene a");
   std::ofstream(folder / "root" / "notes.txt") << "scene text";
-  for (const std::string name : {"../secret.glb", "sub/../../secret.glb", "link.glb", "up/secret.glb",
-                                 (folder / "secret.glb").string().c_str()}) {
+  const std::string absolute = folder / "secret.glb";
+  for (const std::string& name : {std::string("../secret.glb"), std::string("sub/../../secret.glb"),
+                                  std::string("link.glb"), std::string("up/secret.glb"), absolute}) {
     const auto loaded = load(name);
     ASSERT_FALSE(loaded) << name;
     EXPECT_EQ(loaded.error().code, ErrorCode::invalidArgument) << name;

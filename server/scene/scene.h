@@ -1,5 +1,5 @@
-// A scene, ready to draw and to trace: what remains of a file when only geometry, alpha and base colour count.
-// Immutable once built (scene_builder.h); no Vulkan here.
+// A scene, ready to draw and to trace: what remains of a file when only geometry, alpha and base colour
+// count. Immutable once built (scene_builder.h); no Vulkan here.
 #pragma once
 
 #include <cstdint>
@@ -58,7 +58,7 @@ struct Scene {
   glm::uvec2 textureSize{0};
   std::vector<std::vector<glm::u8vec4>> textures;
 
-  Bounds bounds;  // world; {0, 0} for a scene without triangles
+  Bounds bounds;                          // world; {0, 0} for a scene without triangles
   std::uint64_t degenerateTriangles = 0;  // dropped at load
 
   std::vector<NamedView> views;

@@ -42,10 +42,9 @@ void RenderReactor::begin(const v1::RenderRequest& request) {
     }
     return end(std::unexpected(std::move(ticket.error())));
   }
-  ticket_.emplace(std::move(*ticket));
-
   {
     const std::lock_guard lock(mutex_);
+    ticket_.emplace(std::move(*ticket));
     arm(Clock::now());
   }
   const std::string scene = spec->scene;
@@ -167,8 +166,16 @@ void RenderReactor::end(Result<void> result) {
 }
 
 void RenderReactor::giveUp(Error why) {
-  stopLoading_.request_stop();
-  if (ticket_) ticket_->cancel(why);
+  RenderQueue::Ticket* ticket = nullptr;
+  std::stop_source loading;
+  {
+    const std::lock_guard lock(mutex_);
+    loading = stopLoading_;
+    if (ticket_) ticket = &*ticket_;
+  }
+  // The work stops before anybody hears that the call has ended.
+  loading.request_stop();
+  if (ticket) ticket->cancel(why);
   end(std::unexpected(std::move(why)));
 }
 

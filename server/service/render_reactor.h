@@ -62,11 +62,11 @@ class RenderReactor final : public grpc::ServerWriteReactor<v1::RenderEvent>,
   CallLog log_;
   std::shared_ptr<RenderReactor> self_;
   const std::chrono::steady_clock::time_point deadline_;
-  std::stop_source stopLoading_;
-  std::optional<RenderQueue::Ticket> ticket_;  // set before any other thread knows of this
 
   std::mutex
       mutex_;  // guards what follows; may be held while the queue's is taken, never the other way round
+  std::stop_source stopLoading_;
+  std::optional<RenderQueue::Ticket> ticket_;  // set once, at the beginning
   std::deque<Item> items_;
   v1::RenderEvent event_;  // being written
   bool writing_ = false, cancelling_ = false, finished_ = false;

@@ -34,14 +34,16 @@ UploadReactor::UploadReactor(CallContext& context, grpc::CallbackServerContext* 
 UploadReactor::~UploadReactor() { context_.uploadBytes -= bytes_; }
 
 void UploadReactor::OnReadDone(bool ok) {
+  Result<void> taken;
   {
     const std::lock_guard lock(mutex_);
     if (status_) return;
     lastRead_ = Clock::now();
-    if (!ok) reading_ = false;
+    reading_ = ok;
+    if (ok) taken = take();
   }
   if (!ok) return load();
-  if (auto taken = take(); !taken) return end(toStatus(taken.error()));
+  if (!taken) return end(toStatus(taken.error()));
   StartRead(&part_);
 }
 
@@ -112,13 +114,18 @@ Result<void> UploadReactor::takeChunk() {
 // The client has sent all, or has gone: then the call is cancelled, and the store keeps nothing.
 void UploadReactor::load() {
   if (call_->IsCancelled()) return end({grpc::StatusCode::CANCELLED, "the client went away"});
-  if (!files_.files.contains(files_.main)) {
+  SceneFiles files;
+  {
+    const std::lock_guard lock(mutex_);
+    files = std::move(files_);
+  }
+  if (!files.files.contains(files.main)) {
     return end(toStatus(
-        {ErrorCode::invalidArgument, fmt::format("main is '{}', which is not among the {} files sent",
-                                                 files_.main, files_.files.size())}));
+        {ErrorCode::invalidArgument,
+         fmt::format("main is '{}', which is not among the {} files sent", files.main, files.files.size())}));
   }
   context_.store.upload(
-      std::move(files_), stop_.get_token(),
+      std::move(files), stop_.get_token(),
       [self = shared_from_this()](Result<LoadedScene> loaded) { self->onScene(std::move(loaded)); });
 }
 

@@ -43,13 +43,12 @@ class UploadReactor final : public grpc::ServerReadReactor<v1::UploadSceneReques
   std::shared_ptr<UploadReactor> self_;
   std::stop_source stop_;
 
-  // Of the reading thread alone: one read at a time.
-  v1::UploadSceneRequest part_;
+  v1::UploadSceneRequest part_;  // gRPC's while a read is in flight
+
+  std::mutex mutex_;  // guards what follows
   SceneFiles files_;
   std::string* file_ = nullptr;  // the one begun last
   std::uint64_t bytes_ = 0;      // counted in CallContext::uploadBytes
-
-  std::mutex mutex_;  // guards what follows
   std::optional<grpc::Status> status_;
   bool reading_ = true;
   std::chrono::steady_clock::time_point lastRead_;

@@ -50,34 +50,79 @@ double nearDistance(const Scene& scene) {
   return diagonal > 0 ? std::min(0.02, 1e-3 * diagonal) : 0.02;
 }
 
-// The box of every mesh instance in light space after division.
-Bounds lightSpaceBounds(const Scene& scene, const dmat4& lightFromWorld, const dvec3& origin, bool spot,
-                        double tanHalfCone) {
-  constexpr double kInfinity = std::numeric_limits<double>::infinity();
-  Bounds box{dvec3(kInfinity), dvec3(-kInfinity)};
-  bool behind = false;
+// Light space before division, from world space relative to the frame's origin, and the scene's box after it.
+struct LightSpace {
+  dmat4 lightFromWorld;
+  Bounds bounds;
+};
+
+// Calls `each` with light space coordinates of points around all that the scene holds.
+template <class Function>
+void eachCorner(const Scene& scene, const dmat4& lightFromWorld, const dvec3& origin, Function each) {
   for (const Instance& instance : scene.instances) {
+    dmat4 relative = instance.worldFromMesh;
+    relative[3] -= dvec4(origin, 0);
+    const dmat4 lightFromMesh = lightFromWorld * relative;
     const Mesh& mesh = scene.meshes[instance.mesh];
-    for (const dvec3& corner : corners({dvec3(mesh.boundsMin), dvec3(mesh.boundsMax)})) {
-      const dvec3 world = dvec3(instance.worldFromMesh * dvec4(corner, 1)) - origin;
-      const dvec4 light = lightFromWorld * dvec4(world, 1);
-      if (light.w <= 0) {
-        behind = true;
-        continue;
-      }
-      box.min = glm::min(box.min, dvec3(light) / light.w);
-      box.max = glm::max(box.max, dvec3(light) / light.w);
-    }
+    for (std::uint32_t i = mesh.firstCluster; i < mesh.firstCluster + mesh.clusterCount; ++i)
+      for (const dvec3& corner :
+           corners({dvec3(scene.clusters[i].boundsMin), dvec3(scene.clusters[i].boundsMax)}))
+        each(lightFromMesh * dvec4(corner, 1));
   }
-  if (!spot) return box;
-  // What lies beside or behind a spot light has no bounded projection: the cone bounds it instead.
-  if (behind) {
-    box.min = dvec3(-tanHalfCone, -tanHalfCone, box.min.z);
-    box.max = dvec3(tanHalfCone, tanHalfCone, 1 / nearDistance(scene));
+}
+
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+
+// Any two axes across the light do; these lie along the world axis that gives the scene the smallest box,
+// because what is built tends to follow an axis.
+LightSpace directionalSpace(const Scene& scene, const dvec3& along, const dvec3& origin) {
+  std::optional<LightSpace> best;
+  double bestArea = kInfinity;
+  for (const dvec3& up : {dvec3(0, 1, 0), dvec3(0, 0, 1), dvec3(1, 0, 0)}) {
+    if (std::abs(glm::dot(up, along)) > 0.999) continue;
+    const Basis axes = basisOf(along, up);
+    LightSpace space{fromRows(dvec4(axes.right, 0), dvec4(axes.up, 0), dvec4(-along, 0), {0, 0, 0, 1}),
+                     {dvec3(kInfinity), dvec3(-kInfinity)}};
+    eachCorner(scene, space.lightFromWorld, origin, [&](const dvec4& p) {
+      space.bounds.min = glm::min(space.bounds.min, dvec3(p));
+      space.bounds.max = glm::max(space.bounds.max, dvec3(p));
+    });
+    const dvec3 extent = space.bounds.max - space.bounds.min;
+    const double area = extent.x * extent.y;
+    if (best && !(area < bestArea)) continue;
+    bestArea = area;
+    best = space;
   }
-  box.min = glm::max(box.min, dvec3(-tanHalfCone, -tanHalfCone, 0));
-  box.max = glm::min(box.max, dvec3(tanHalfCone, tanHalfCone, 1 / nearDistance(scene)));
-  return box;
+  return *best;
+}
+
+LightSpace spotSpace(const Scene& scene, const Light& light, const dvec3& along, const dvec3& origin) {
+  const Basis axes = basisOf(along, std::abs(along.y) < 0.999 ? dvec3(0, 1, 0) : dvec3(0, 0, -1));
+  const dvec3 from = light.position - origin;
+  LightSpace space{
+      fromRows(dvec4(axes.right, -glm::dot(axes.right, from)), dvec4(axes.up, -glm::dot(axes.up, from)),
+               {0, 0, 0, 1}, dvec4(along, -glm::dot(along, from))),
+      {dvec3(kInfinity), dvec3(-kInfinity)}};
+  bool behind = false;
+  eachCorner(scene, space.lightFromWorld, origin, [&](const dvec4& p) {
+    behind = behind || p.w <= 0;
+    if (p.w <= 0) return;
+    space.bounds.min = glm::min(space.bounds.min, dvec3(p) / p.w);
+    space.bounds.max = glm::max(space.bounds.max, dvec3(p) / p.w);
+  });
+  // What lies beside or behind the light has no bounded projection: the cone bounds it instead.
+  const double tanHalf = std::tan(glm::radians(light.coneDegrees) / 2);
+  const dvec3 coneMin(-tanHalf, -tanHalf, 0), coneMax(tanHalf, tanHalf, 1 / nearDistance(scene));
+  if (behind) space.bounds = {dvec3(coneMin.x, coneMin.y, space.bounds.min.z), coneMax};
+  space.bounds.min = glm::max(space.bounds.min, coneMin);
+  space.bounds.max = glm::min(space.bounds.max, coneMax);
+  return space;
+}
+
+LightSpace lightSpace(const Scene& scene, const Light& light, const dvec3& origin) {
+  const dvec3 along = glm::normalize(light.direction);
+  return light.kind == LightKind::spot ? spotSpace(scene, light, along, origin)
+                                       : directionalSpace(scene, along, origin);
 }
 
 }  // namespace
@@ -108,24 +153,14 @@ shared::FrameConstants frameConstants(const Scene& scene, const View& view, cons
   c.wsRayPerPixelY = -2 * tanY / imageSize.y * camera.up;
   c.imageSize = imageSize;
 
-  const bool spot = light.kind == LightKind::spot;
-  const dvec3 along = glm::normalize(light.direction);
-  // Looking along the light, x is to the right and y up; any two axes do, but they must not flip near the
-  // zenith.
-  const Basis axes = basisOf(along, std::abs(along.y) < 0.999 ? dvec3(0, 1, 0) : dvec3(0, 0, -1));
-  const dvec3 from = spot ? light.position - origin : dvec3(0);
-  const dvec4 rowX(axes.right, -glm::dot(axes.right, from)), rowY(axes.up, -glm::dot(axes.up, from));
-  const dmat4 lightFromWorld = spot ? fromRows(rowX, rowY, {0, 0, 0, 1}, dvec4(along, -glm::dot(along, from)))
-                                    : fromRows(rowX, rowY, dvec4(-along, 0), {0, 0, 0, 1});
-  const double halfCone = glm::radians(light.coneDegrees) / 2;
-  c.lightFromWorld = glm::mat4(lightFromWorld);
-  c.lightKind = spot ? shared::kLightSpot : shared::kLightDirectional;
-  c.lightCosCone = static_cast<float>(std::cos(halfCone));
-  c.wsLightDirection = along;
-  c.wsLightPosition = from;
-  const Bounds box = lightSpaceBounds(scene, lightFromWorld, origin, spot, std::tan(halfCone));
-  c.lsBoundsMin = box.min;
-  c.lsBoundsMax = box.max;
+  const LightSpace space = lightSpace(scene, light, origin);
+  c.lightFromWorld = glm::mat4(space.lightFromWorld);
+  c.lightKind = light.kind == LightKind::spot ? shared::kLightSpot : shared::kLightDirectional;
+  c.lightCosCone = static_cast<float>(std::cos(glm::radians(light.coneDegrees) / 2));
+  c.wsLightDirection = glm::normalize(light.direction);
+  c.wsLightPosition = light.kind == LightKind::spot ? light.position - origin : dvec3(0);
+  c.lsBoundsMin = space.bounds.min;
+  c.lsBoundsMax = space.bounds.max;
   return c;
 }
 

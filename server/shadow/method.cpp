@@ -82,7 +82,7 @@ std::vector<Parameter> parametersFor(const MethodRow& row, const std::optional<S
                   .unit = "texels",
                   .min = 0,
                   .max = 100,
-                  .defaultValue = "1.5",
+                  .defaultValue = "2",
                   .description = "how far a receiver moves towards the light, in texels of its map"});
   list.push_back({.name = "bias_world",
                   .kind = Kind::number,

@@ -20,34 +20,52 @@ constexpr int kMaxDepth = 64;
 // What a value costs in nlohmann's tree, in tinygltf's copy and in its model, roughly.
 constexpr std::uint64_t kBytesPerValue = 128;
 
-Result<json> parseJson(std::string_view text, std::uint64_t maxBytes) {
-  int deepest = 0;
-  std::uint64_t values = 0;
-  const auto keep = [&](int depth, json::parse_event_t event, json&) {
-    deepest = std::max(deepest, depth);
-    values += event != json::parse_event_t::object_end && event != json::parse_event_t::array_end;
-    return deepest <= kMaxDepth && values * kBytesPerValue <= maxBytes;
-  };
-  json document;
-  try {
-    document = json::parse(text.begin(), text.end(), keep);
-  } catch (const json::exception& e) {
-    const auto* syntax = dynamic_cast<const json::parse_error*>(&e);
-    if (syntax && syntax->byte > text.size())
-      return fail(
-          ErrorCode::dataLoss,
-          fmt::format("the JSON is cut off after {} bytes: copy or export the file again", text.size()));
-    return invalid(
-        fmt::format("the JSON is malformed near byte {}: export the file again", syntax ? syntax->byte : 0));
+// How deep and how large JSON text is, before it is believed to be JSON. nlohmann's own callback would tell
+// too, but searches the whole parent at each child's end: quadratic in the number of nodes.
+struct Extent {
+  int depth = 0;
+  std::uint64_t values = 1;
+};
+
+Extent measure(std::string_view text) {
+  Extent extent;
+  int depth = 0;
+  bool inString = false;
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    const char c = text[i];
+    if (inString) {
+      if (c == '\\') ++i;
+      inString = c != '"';
+      continue;
+    }
+    inString = c == '"';
+    if (c == '{' || c == '[') extent.depth = std::max(extent.depth, ++depth);
+    if (c == '}' || c == ']') --depth;
+    extent.values += c == '{' || c == '[' || c == ',' || c == ':';
   }
-  if (deepest > kMaxDepth)
+  return extent;
+}
+
+Result<json> parseJson(std::string_view text, std::uint64_t maxBytes) {
+  const Extent extent = measure(text);
+  if (extent.depth > kMaxDepth)
     return invalid(fmt::format("the JSON is nested deeper than {} levels: no glTF needs that", kMaxDepth));
-  if (values * kBytesPerValue > maxBytes)
+  if (extent.values > maxBytes / kBytesPerValue)
     return fail(ErrorCode::resourceExhausted,
                 fmt::format("the JSON has {} values, too many for the limit of {} bytes a scene: split the "
                             "scene or raise the server's limit",
-                            values, maxBytes));
-  return document;
+                            extent.values, maxBytes));
+  try {
+    return json::parse(text.begin(), text.end());
+  } catch (const json::parse_error& e) {
+    if (e.byte > text.size())
+      return fail(
+          ErrorCode::dataLoss,
+          fmt::format("the JSON is cut off after {} bytes: copy or export the file again", text.size()));
+    return invalid(fmt::format("the JSON is malformed near byte {}: export the file again", e.byte));
+  } catch (const json::exception&) {
+    return invalid("the JSON is malformed, a number in it is out of range: export the file again");
+  }
 }
 
 Buffer readBuffer(const json& from) {

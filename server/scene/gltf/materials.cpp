@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 
 #include "scene/gltf/image.h"
 #include "scene/quoted_name.h"
@@ -117,7 +118,8 @@ Result<Materials> readMaterials(const Document& document, std::span<const Materi
                                 BufferData& data, Budget& budget) {
   const tinygltf::Model& model = document.model;
   Materials result;
-  std::vector<std::size_t> images;  // per texture of the result
+  std::vector<std::size_t> images;              // per texture of the result
+  std::map<std::size_t, std::uint32_t> layers;  // and back
   for (std::size_t i = 0; i < model.materials.size(); ++i) {
     const tinygltf::Material& from = model.materials[i];
     Result<MaterialUse> use = readMaterial(from);
@@ -127,9 +129,9 @@ Result<Materials> readMaterials(const Document& document, std::span<const Materi
       const tinygltf::Texture& texture = model.textures[static_cast<std::size_t>(textureIndex)];
       if (texture.source >= 0) {
         const auto image = static_cast<std::size_t>(texture.source);
-        const auto known = std::ranges::find(images, image);
-        use->info.gpu.texture = static_cast<std::uint32_t>(known - images.begin());
-        if (known == images.end()) images.push_back(image);
+        const auto [known, isNew] = layers.try_emplace(image, static_cast<std::uint32_t>(images.size()));
+        use->info.gpu.texture = known->second;
+        if (isNew) images.push_back(image);
       }
       if (texture.sampler >= 0) {
         const tinygltf::Sampler& sampler = model.samplers[static_cast<std::size_t>(texture.sampler)];

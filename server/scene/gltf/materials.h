@@ -1,8 +1,6 @@
 // Materials and the images that they use.
 #pragma once
 
-#include <set>
-
 #include "scene/gltf/geometry.h"
 
 namespace sundial::gltf {

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <glm/gtc/constants.hpp>
 #include <glm/gtc/quaternion.hpp>
+#include <map>
 #include <set>
 
 #include "scene/quoted_name.h"
@@ -42,13 +43,15 @@ class Names {
  public:
   std::string make(const std::string& wanted, const std::string& fallback) {
     const std::string base = wanted.empty() ? fallback : wanted;
-    std::string name = base;
-    for (std::size_t i = 2; !taken_.insert(name).second; ++i) name = fmt::format("{} {}", base, i);
+    std::size_t& count = counts_[base];  // remembered: thousands of lamps may share a name
+    std::string name = count++ == 0 ? base : fmt::format("{} {}", base, count);
+    while (!taken_.insert(name).second) name = fmt::format("{} {}", base, ++count);
     return name;
   }
 
  private:
   std::set<std::string> taken_;
+  std::map<std::string, std::size_t> counts_;
 };
 
 // Where a node's camera or light points: along its -z.

@@ -92,15 +92,20 @@ check_here() {
   rm -rf "$place"
 }
 
+# Under another root, with its own view of mounts: /proc for the loader's $ORIGIN, /dev for a GPU.
 check_there() {
-  local as_root=() name=tmp/sundial-bundle.$$
+  local as_root=() place=tmp/sundial-bundle.$$ status=0
   ((EUID == 0)) || as_root=(sudo)
-  "${as_root[@]}" mkdir "$root/$name"
-  "${as_root[@]}" tar -C "$root/$name" -xzf "$bundle.tar.gz"
-  local status=0
-  "${as_root[@]}" chroot "$root" /usr/bin/env -i "/$name/sundial-bench/sundial-bench" "${trial[@]}" | wc -l |
+  "${as_root[@]}" mkdir "$root/$place"
+  "${as_root[@]}" tar -C "$root/$place" -xzf "$bundle.tar.gz"
+  # shellcheck disable=SC2016  # for the shell within
+  "${as_root[@]}" unshare --mount sh -c '
+      root=$1 program=$2 && shift 2
+      mount -t proc proc "$root/proc" && mount --rbind /dev "$root/dev" &&
+        exec chroot "$root" /usr/bin/env -i "$program" "$@"' \
+    sh "$root" "/$place/sundial-bench/sundial-bench" "${trial[@]}" | wc -l |
     sed "s|\$| methods ran under $root|" || status=$?
-  "${as_root[@]}" rm -rf "${root:?}/$name"
+  "${as_root[@]}" rm -rf "${root:?}/$place"
   return "$status"
 }
 

@@ -153,8 +153,8 @@ TEST_P(FrameAlpha, MapsAgreeWithTheReferenceUpToATexel) {
     EXPECT_EQ(wrong, 0u);
     EXPECT_GT(lit, 200u);
     EXPECT_GT(dark, 200u);
-    // Not none: a glint of light thinner than a pixel may have no edge in the image.
-    EXPECT_LE(r.result.measures->interiorError, 1e-4);
+    // A pixel at a hole's rim, where driver and reference filter alpha with different rounding.
+    EXPECT_LT(r.result.measures->interiorError, 1e-4);
   }
 }
 

@@ -153,7 +153,8 @@ TEST_P(FrameAlpha, MapsAgreeWithTheReferenceUpToATexel) {
     EXPECT_EQ(wrong, 0u);
     EXPECT_GT(lit, 200u);
     EXPECT_GT(dark, 200u);
-    EXPECT_EQ(r.result.measures->interiorError, 0);
+    // A pixel at a hole's rim, where driver and reference filter alpha with different rounding.
+    EXPECT_LT(r.result.measures->interiorError, 1e-4);
   }
 }
 

@@ -116,6 +116,27 @@ TEST_F(FramePlan, SmDoesNotDependOnTheCamera) {
   }
 }
 
+// The frame's origin moves with the camera in steps, and with it all rounding: equal sides of a square must
+// not change places.
+TEST_F(FramePlan, SmIsNotTurnedByAFarCamera) {
+  const auto scene = builtin("grid?n=3");
+  const View near = viewOf(*scene, "main");
+  for (const Light& light : {sun(40, 45), sun(40, 225), sun(30, 0), Light{.direction = {0, -1, 0}}}) {
+    const PlanView expected = render(scene, near, light, {16, 16}, "sm,texels=256").plan.at(0);
+    for (const dvec3& by :
+         {dvec3(1e4, 3e3, 0), dvec3(0, 7e4, -1e5), dvec3(-3e4, 2e3, 5e4), dvec3(1.3e3, 777, 2.9e3)}) {
+      View far = near;
+      far.eye += by;
+      const PlanView plan = render(scene, far, light, {16, 16}, "sm,texels=256").plan.at(0);
+      for (const dvec3& p : {dvec3(1, 0, 2), dvec3(-3, 1, 0.5)}) {
+        const double metres = glm::distance(near.eye + by, p);
+        EXPECT_LT(glm::distance(inShadow(plan, p), inShadow(expected, p)), 1e-6 * metres)
+            << light.direction.x << " " << light.direction.z << " " << by.x;
+      }
+    }
+  }
+}
+
 TEST_F(FramePlan, SpotsReachFromTheirNearestToTheirFarthestSample) {
   const auto scene = builtin("atrium");
   const Light light = lightOf(*scene, "spot");

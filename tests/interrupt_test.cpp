@@ -176,6 +176,20 @@ TEST_F(InterruptedJob, EndsBeforeTheNextMethodAndTheNextJobIsServed) {
     EXPECT_TRUE(after[m].images.at(Aov::visibility).bytes == expected[m].images.at(Aov::visibility).bytes);
 }
 
+// All of them would take an hour.
+TEST_F(InterruptedJob, OfAMillionFramesEndsAtItsDeadline) {
+  RenderJob many = job();
+  many.repetitions = 1'000'000;
+  many.baseline = method("sm,texels=64");
+  Collector sink;
+  const auto late =
+      renderer().run(many, {.stop = {}, .deadline = Clock::now() + std::chrono::milliseconds(30)}, sink);
+  ASSERT_FALSE(late);
+  EXPECT_EQ(late.error().code, ErrorCode::deadlineExceeded);
+  EXPECT_TRUE(sink.renderings.empty());
+  EXPECT_EQ(render(job()).size(), 3u);
+}
+
 TEST_F(InterruptedJob, NeverBeginsOnceItIsCancelledOrLate) {
   Collector sink;
   std::stop_source source;

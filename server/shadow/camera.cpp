@@ -89,7 +89,8 @@ LightSpace directionalSpace(const Scene& scene, const dvec3& along, const dvec3&
     });
     const dvec3 extent = space.bounds.max - space.bounds.min;
     const double area = extent.x * extent.y;
-    if (best && !(area < bestArea)) continue;
+    // Clearly smaller: equal areas differ by rounding, which mustn't turn the map when the origin moves.
+    if (best && !(area < 0.999 * bestArea)) continue;
     bestArea = area;
     best = space;
   }

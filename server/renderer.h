@@ -56,8 +56,10 @@ struct RenderJob {
   std::vector<Method> methods;     // at least one
   std::optional<Method> baseline;  // timed in turn with every method, run by run
   unsigned repetitions = 0;        // timed frames of each method after a warm-up; 0: one frame, not warmed up
-  std::vector<Aov> images;         // for every method
-  bool measures = false;           // traces the reference once and measures every method against it
+  unsigned maxRepetitions = 0;  // more are timed, up to so many, while the quartiles of the ratio (without a
+  double quartileTarget = 0;  // baseline: of the frame time) are farther apart than this share of its median
+  std::vector<Aov> images;    // for every method
+  bool measures = false;      // traces the reference once and measures every method against it
 };
 
 // Pipeline statistics; they repeat exactly.
@@ -84,6 +86,7 @@ struct PlanView {
 
 struct MethodResult {
   Method method;
+  unsigned repetitions = 0;        // timed frames
   Quartiles frameMs;               // the clock around submit and fence
   std::optional<Quartiles> ratio;  // frame time over the baseline's, pair by pair
   std::optional<Measures> measures;

@@ -173,6 +173,9 @@ TEST_F(ServiceTest, BadRequestsAreRefusedByName) {
       {"methods[0]: ", [](auto& r) { (*r.mutable_methods(0)->mutable_parameters())["texels"] = "-1"; }},
       {"baseline: ", [](auto& r) { r.mutable_baseline()->set_name("nothing"); }, grpc::StatusCode::NOT_FOUND},
       {"repetitions is 101: must lie in [0, 100]", [](auto& r) { r.set_repetitions(101); }},
+      {"max_repetitions is 101: must lie in [0, 100]", [](auto& r) { r.set_max_repetitions(101); }},
+      {"quartile_target is -0.1", [](auto& r) { r.set_quartile_target(-0.1); }},
+      {"quartile_target is nan", [&](auto& r) { r.set_quartile_target(nan); }},
       {"images[1] is 99", [](auto& r) { r.add_images(static_cast<v1::Aov>(99)); }},
       {"images[1] is 0", [](auto& r) { r.add_images(v1::AOV_UNSPECIFIED); }},
       {"images[1] is VISIBILITY, which comes before", [](auto& r) { r.add_images(v1::VISIBILITY); }},
@@ -617,6 +620,7 @@ TEST_F(ServiceTest, TellsItsMethodsAndItself) {
   EXPECT_FALSE(info.version().empty());
   EXPECT_EQ(info.max_image_side(), 8192u);
   EXPECT_EQ(info.max_queued(), 64u);
+  EXPECT_EQ(info.max_queued_per_client(), 8u);
   EXPECT_EQ(info.queued(), 1u);
   EXPECT_EQ(info.rendering(), 1u);
   renderer->gate.open();

@@ -209,6 +209,16 @@ Result<RenderSpec> fromProto(const v1::RenderRequest& in, const RequestLimits& l
     return invalid(fmt::format("repetitions is {}: must lie in [0, {}]", in.repetitions(), kMaxRepetitions));
   }
   spec.job.repetitions = in.repetitions();
+  if (in.max_repetitions() > kMaxRepetitions) {
+    return invalid(
+        fmt::format("max_repetitions is {}: must lie in [0, {}]", in.max_repetitions(), kMaxRepetitions));
+  }
+  spec.job.maxRepetitions = in.max_repetitions();
+  if (!(in.quartile_target() >= 0 && std::isfinite(in.quartile_target()))) {
+    return invalid(
+        fmt::format("quartile_target is {}: must be a finite number of at least 0", in.quartile_target()));
+  }
+  spec.job.quartileTarget = in.quartile_target();
   spec.job.measures = in.measures();
 
   // The images.

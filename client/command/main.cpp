@@ -64,6 +64,7 @@ int run(int argc, char** argv) {
   addRender(app, action);
   addCompare(app, action);
   addSweep(app, action);
+  addChart(app, action);
   try {
     app.parse(argc, argv);
   } catch (const CLI::Success& help) {

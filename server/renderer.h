@@ -108,9 +108,9 @@ class JobSink {
 // Owns a device. All calls from one thread; the class may be created on another.
 class Renderer {
  public:
-  // `device`: empty (the first GPU, or else a CPU driver), an index, or a part of a name.
+  // `wanted`: empty (the first GPU, or else a CPU driver), an index, or a part of a name.
   // Errors: notFound lists the devices that there are; failedPrecondition names the feature that one lacks.
-  static Result<std::unique_ptr<Renderer>> create(std::string_view device, bool validation);
+  static Result<std::unique_ptr<Renderer>> create(std::string_view wanted, bool validation);
   static Result<std::vector<DeviceInfo>> devices();
 
   virtual ~Renderer() = default;

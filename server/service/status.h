@@ -36,7 +36,7 @@ inline grpc::Status toStatus(const Error& error) {
   for (char& c : message) {
     if (static_cast<unsigned char>(c) < 0x20 || c == 0x7f) c = ' ';
   }
-  return {statusCode(error.code), std::move(message)};
+  return {statusCode(error.code), message};
 }
 
 }  // namespace sundial

@@ -57,12 +57,16 @@ const passesOf = cases => {
   return [...sums.values()];
 };
 
-// One summary a method with its parameters: geometric means of times, means of the rest, over the views, lights
+const compare = (a, b) => a < b ? -1 : a > b ? 1 : 0;
+
+// In order of names: one summary a method with its parameters: geometric means of times, means of the rest, over the views, lights
 // and sizes that the cases have; or, with `apart`, one a case. `complete`: it was measured wherever any was.
 export const summarise = (cases, apart = false) => {
   const good = cases.filter(one => !one.error), wanted = new Set(good.map(configurationOf)).size;
   const groups = groupBy(good, one => apart ? one.id : one.label);
-  return [...groups].map(([key, members]) => {
+  const inOrder = [...groups].sort(([, [a]], [, [b]]) => compare(a.method, b.method) ||
+    a.label.length - b.label.length || compare(a.label, b.label));
+  return inOrder.map(([key, members]) => {
     const spread = name => together(members.map(one => [one.m[name], one.m[name], one.m[name]]), mean);
     const names = Object.keys(members[0].m);
     const stable = members.filter(one => one.stability);

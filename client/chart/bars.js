@@ -26,7 +26,7 @@ export const bars = ({rows, colours, title, width, text}) => {
     ],
     marks: [
       {type: 'rect', name: 'bars', from: {data: 'parts'}, encode: {update: {x: {scale: 'x', field: 'start'},
-        x2: {scale: 'x', field: 'end'}, y: {scale: 'y', field: 'label'}, height: {scale: 'y', band: 1}, fill: {field: 'colour'},
+        x2: {scale: 'x', field: 'end'}, y: {scale: 'y', field: 'label'}, height: {scale: 'y', band: 1}, fill: {field: 'colour'}, fillOpacity: {field: 'opacity'},
         stroke: {value: BACK}, strokeWidth: {value: 1}, tooltip: {signal: 'datum'},
         description: {signal: "datum.label + ', ' + datum.name"}}}},
       {type: 'text', from: {data: 'parts'}, interactive: false, encode: {update: {

@@ -42,7 +42,11 @@ let shown = [], place = 0;
 const show = (mark, index) => {
   place = (index + shown.length) % shown.length;
   const one = shown[place];
-  const move = (by, text, name) => element('button', {onclick: () => show(mark, place + by), 'aria-label': name}, text);
+  const turn = (by, name) => {
+    show(mark, place + by);
+    byId('dialog').querySelector(`[aria-label="${name}"]`).focus();  // the button was made anew
+  };
+  const move = (by, text, name) => element('button', {onclick: () => turn(by, name), 'aria-label': name}, text);
   byId('dialog-body').replaceChildren(
     element('h2', {}, markPicture(mark), ' ', one.label),
     element('p', {class: 'hint'}, [one.scene, one.view, one.light, one.size.replace('x', ' × ')].join(' · ')),

@@ -18,6 +18,25 @@ const showTip = (event, datum) => {
   tip.style.transform = `translate(${Math.max(8, x)}px, ${y}px)`;
 };
 
+// Vega's marks become what the keyboard reaches; it draws them a moment after it is told to.
+const reachable = (place, open) => {
+  for (const mark of place.querySelectorAll('.dots path')) {
+    const datum = mark.__data__.datum;
+    mark.setAttribute('tabindex', 0);
+    mark.setAttribute('role', 'button');
+    mark.addEventListener('keydown', event => {
+      if (event.key !== 'Enter') return;
+      event.preventDefault();  // or the button that gets the focus is pressed by the same key
+      open(datum);
+    });
+    mark.addEventListener('focus', () => {
+      const box = mark.getBoundingClientRect();
+      if (mark.matches(':focus-visible')) showTip({clientX: box.right, clientY: box.top}, datum);
+    });
+    mark.addEventListener('blur', () => showTip(null, null));
+  }
+};
+
 // `open`: what a click or the Enter key on a mark does with its datum.
 export const draw = (id, specification, description, open = null) => {
   const place = byId(id);
@@ -27,16 +46,7 @@ export const draw = (id, specification, description, open = null) => {
     .tooltip((handler, event, item, value) => showTip(event, value));
   views.set(id, view);
   if (open) view.addEventListener('click', (event, item) => item?.datum?.key && open(item.datum));
-  view.run();
-  if (!open) return;
-  for (const mark of place.querySelectorAll('.dots path')) {
-    mark.setAttribute('tabindex', 0);
-    mark.setAttribute('role', 'button');
-    const datum = mark.__data__.datum, box = () => mark.getBoundingClientRect();
-    mark.addEventListener('keydown', e => { if (e.key === 'Enter') open(datum); });
-    mark.addEventListener('focus', () => showTip({clientX: box().right, clientY: box().top}, datum));
-    mark.addEventListener('blur', () => showTip(null, null));
-  }
+  view.runAsync().then(() => { if (open && views.get(id) === view) reachable(place, open); });
 };
 
 export const note = (id, text) => {

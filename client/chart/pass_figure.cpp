@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "image/picture.h"
 #include "page/mark.h"
 #include "page/units.h"
 
@@ -28,8 +29,9 @@ std::string legend(const std::vector<std::string>& names) {
   std::string svg;
   double x = kNames;
   for (std::size_t i = 0; i < names.size(); ++i) {
-    svg += fmt::format(R"svg(<rect x="{:.1f}" y="12" width="12" height="12" fill="{}"/>)svg", x,
-                       page::colourOf(i));
+    svg +=
+        fmt::format(R"svg(<rect x="{:.1f}" y="12" width="12" height="12" fill="{}" fill-opacity="{}"/>)svg",
+                    x, paintOf(i).colour, paintOf(i).opacity);
     svg += text(x + 17, 23, "start", "#1d2126", names[i]);
     x += 34 + 7.2 * static_cast<double>(names[i].size());
   }
@@ -37,6 +39,11 @@ std::string legend(const std::vector<std::string>& names) {
 }
 
 }  // namespace
+
+Paint paintOf(std::size_t place) {
+  if (place < image::kOkabeItoCount) return {page::colourOf(place), 1, page::inkOn(place)};
+  return {page::colourOf(place), 0.4, "var(--ink,#1d2126)"};
+}
 
 std::vector<std::string> passOrder(const std::vector<const Case*>& cases) {
   std::vector<std::string> names{"gbuffer", "analyze", "plan", "cull", "store", "resolve", "shade"};
@@ -69,13 +76,14 @@ std::string passFigure(std::vector<const Case*> cases) {
     double x = kNames;
     for (const Pass& pass : one->passes) {
       const auto place = static_cast<std::size_t>(std::ranges::find(names, pass.name) - names.begin());
+      const Paint paint = paintOf(place);
       const double width = pass.ms.median * scale;
       svg += fmt::format(
-          R"svg(<rect x="{:.2f}" y="{:.1f}" width="{:.2f}" height="{}" fill="{}" stroke="#fff"><title>{}: {} ms</title></rect>)svg",
-          x, y, width, kBar, page::colourOf(place), page::escaped(pass.name),
+          R"svg(<rect x="{:.2f}" y="{:.1f}" width="{:.2f}" height="{}" fill="{}" fill-opacity="{}" stroke="#fff"><title>{}: {} ms</title></rect>)svg",
+          x, y, width, kBar, paint.colour, paint.opacity, page::escaped(pass.name),
           page::milliseconds(pass.ms.median));
       if (width > 7.2 * static_cast<double>(pass.name.size()))
-        svg += text(x + width / 2, y + 15, "middle", page::inkOn(place), pass.name);
+        svg += text(x + width / 2, y + 15, "middle", paint.ink, pass.name);
       x += width;
     }
     svg += text(x + 8, y + 15, "start", "#5b6570", page::milliseconds(passSum(*one)) + " ms");

@@ -77,9 +77,11 @@ ordered_json passes(const std::vector<Case>& cases) {
   std::vector<const Case*> all;
   for (const Case& one : cases) all.push_back(&one);
   ordered_json list = ordered_json::array();
-  for (const std::string& name : passOrder(all))
+  for (const std::string& name : passOrder(all)) {
+    const Paint paint = paintOf(list.size());
     list.push_back(
-        {{"name", name}, {"colour", page::colourOf(list.size())}, {"ink", page::inkOn(list.size())}});
+        {{"name", name}, {"colour", paint.colour}, {"opacity", paint.opacity}, {"ink", paint.ink}});
+  }
   return list;
 }
 
@@ -113,9 +115,10 @@ std::string facts(const std::vector<Case>& cases) {
   fact("device", distinct(cases, &Case::device));
   fact("driver", distinct(cases, &Case::driver));
   fact("baseline, whose time is 1", distinct(cases, &Case::baseline));
-  fact("timed frames of each", distinct(cases, [](const Case& one) {
-         return one.repetitions > 0 ? std::to_string(one.repetitions) : "";
-       }));
+  const auto [least, most] = std::ranges::minmax(cases, {}, &Case::repetitions);
+  fact("timed frames of each", {least.repetitions == most.repetitions
+                                    ? std::to_string(most.repetitions)
+                                    : fmt::format("{} to {}", least.repetitions, most.repetitions)});
   return html + "</dl>";
 }
 

@@ -71,11 +71,11 @@ const redraw = () => {
   const errorTitle = `${error.title} [${error.unit}${error.of ? ' ' + error.of : ''}]`;
   const errorOf = one => scaled(one.m[error.key], error.factor);
   const timeOf = one => one[state.time][0] > 0 ? one[state.time] : null;
+  byId('stability-section').hidden = !cases.some(one => one.stability);
   drawScatter('error-time', pointsOf(summaries, error, timeOf, errorOf), timeTitle(), errorTitle, true, 480);
   drawScatter('error-bytes', pointsOf(summaries, error, one => scaled(one.m[state.memory], 2 ** -20), errorOf),
     `${{total_bytes: 'memory', store_bytes: 'memory of the store', allocated_bytes: 'memory set aside'}[state.memory]} [MiB]`,
     errorTitle, true, 380);
-  byId('stability-section').hidden = !cases.some(one => one.stability);
   if (!byId('stability-section').hidden)
     drawScatter('stability', pointsOf(summaries, error, errorOf, one => one.flip && scaled(one.flip, 100)), errorTitle,
       'flip rate [% of points and frames]', true, 380);
@@ -122,7 +122,7 @@ byId('choices').append(
   toggle('apart', 'Marks', [[false, 'means'], [true, 'each case']], () => state.apart, value => { state.apart = value; }));
 byId('methods').append(...Object.keys(marks).map(method => element('label', {}, element('input', {type: 'checkbox', checked: true,
   value: method, onchange: e => { state.hidden[e.target.checked ? 'delete' : 'add'](method); redraw(); }}), markPicture(marks[method]), ' ', method)));
-byId('pass-legend').append(...data.passes.map(pass => element('span', {}, element('i', {style: `background:${pass.colour}`}), pass.name)));
+byId('pass-legend').append(...data.passes.map(pass => element('span', {}, element('i', {style: `background:${pass.colour};opacity:${pass.opacity}`}), pass.name)));
 
 redraw();
 let width = innerWidth, timer = 0;

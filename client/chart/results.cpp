@@ -9,6 +9,7 @@
 #include <fstream>
 #include <nlohmann/json.hpp>
 #include <stdexcept>
+#include <tuple>
 #include <unordered_map>
 
 namespace sundial::chart {
@@ -222,6 +223,12 @@ Results readResults(const std::vector<fs::path>& files) {
     reader.results.remarks.push_back(
         fmt::format("{} lines repeat a case; the last of each counts", reader.repeated));
   labelCases(reader.results.cases);
+  // Servers answer in any order; what is made of a sweep doesn't depend on it. Shorter labels have less
+  // texels.
+  std::ranges::stable_sort(reader.results.cases, {}, [](const Case& one) {
+    return std::tuple(one.scene, one.view, one.light, one.size, one.method, one.label.size(), one.label,
+                      one.id);
+  });
   return std::move(reader.results);
 }
 

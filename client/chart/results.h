@@ -57,7 +57,7 @@ struct Case {
 };
 
 struct Results {
-  std::vector<Case> cases;           // in the order in which they first appear; of two of one id, the last
+  std::vector<Case> cases;           // by scene, view, light, size and method; of two of one id the last
   std::vector<std::string> remarks;  // for a person: what was ignored
 };
 

@@ -224,8 +224,13 @@ std::string forPaper(std::string svg) {
   if (const std::size_t at = svg.find(kColours); at != std::string::npos)
     svg.erase(at, std::string_view(kColours).size());
   static constexpr std::pair<std::string_view, std::string_view> kLight[] = {
-      {"var(--ink)", "#1d2126"}, {"var(--faint)", "#d9dde2"},  {"var(--soft)", "#5b6570"},
-      {"var(--back)", "#fff"},   {"var(--back,#fff)", "#fff"}, {"system-ui,sans-serif", "sans-serif"}};
+      {"var(--ink)", "#1d2126"},
+      {"var(--ink,#1d2126)", "#1d2126"},
+      {"var(--faint)", "#d9dde2"},
+      {"var(--soft)", "#5b6570"},
+      {"var(--back)", "#fff"},
+      {"var(--back,#fff)", "#fff"},
+      {"system-ui,sans-serif", "sans-serif"}};
   for (const auto& [name, colour] : kLight)
     for (std::size_t at = 0; (at = svg.find(name, at)) != std::string::npos; at += colour.size())
       svg.replace(at, name.size(), colour);

@@ -16,9 +16,9 @@ template <class Request, class Response>
 Expected<Response> call(v1::Sundial::Stub& stub, const CallOptions& options, Rpc<Request, Response> rpc,
                         const Request& request) {
   Response response;
-  const grpc::Status status = withRetries(
+  const auto done = withRetries(
       options, [&](grpc::ClientContext& context) { return (stub.*rpc)(&context, request, &response); });
-  if (!status.ok()) return fail(status);
+  if (!done) return std::unexpected(done.error());
   return response;
 }
 
@@ -89,20 +89,20 @@ Expected<v1::UnloadSceneResponse> Client::unload(const std::string& scene) const
 
 Expected<v1::SceneInfo> Client::upload(const SceneFiles& scene, const OnProgress& onProgress) const {
   v1::SceneInfo info;
-  const grpc::Status status = withRetries(options_, [&](grpc::ClientContext& context) {
+  const auto done = withRetries(options_, [&](grpc::ClientContext& context) {
     const auto writer = stub_->UploadScene(&context, &info);
     const grpc::Status sent = sendFiles(scene, *writer, onProgress);
     if (!sent.ok()) context.TryCancel();
     const grpc::Status answer = writer->Finish();
     return sent.ok() ? answer : sent;
   });
-  if (!status.ok()) return fail(status);
+  if (!done) return std::unexpected(done.error());
   return info;
 }
 
 Expected<Rendering> Client::render(const v1::RenderRequest& request, const OnProgress& onProgress) const {
   Expected<Rendering> rendering;
-  const grpc::Status status = withRetries(options_, [&](grpc::ClientContext& context) -> grpc::Status {
+  const auto done = withRetries(options_, [&](grpc::ClientContext& context) -> grpc::Status {
     RenderingAssembler assembler(request);
     const auto reader = stub_->Render(&context, request);
     v1::RenderEvent event;
@@ -123,7 +123,7 @@ Expected<Rendering> Client::render(const v1::RenderRequest& request, const OnPro
     rendering = assembler.finish();
     return rendering ? grpc::Status::OK : grpc::Status(rendering.error().code, rendering.error().message);
   });
-  if (!status.ok()) return fail(status);
+  if (!done) return std::unexpected(done.error());
   return rendering;
 }
 

@@ -68,6 +68,8 @@ void RenderReactor::onScene(RenderSpec spec, Result<LoadedScene> loaded) {
   toProto(job->view, accepted.mutable_view());
   toProto(job->light, accepted.mutable_light());
   accepted.set_scene_digest(loaded->digest);
+  accepted.set_device(context_.queue.device().name);
+  accepted.set_driver(context_.queue.device().driver);
   {
     // Under the lock, so that nothing of the rendering comes before its acceptance.
     const std::lock_guard lock(mutex_);

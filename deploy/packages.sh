@@ -5,9 +5,9 @@ set -euo pipefail
 readonly usage="Usage: deploy/packages.sh [--list] [GROUP]...
 Installs by apt what is missing of the groups (default: build run). As root, or through sudo.
 
-  build    compilers and libraries; also what the tests are compiled against
+  build    compilers and libraries; also what the tests are compiled against, and npm for what a page embeds
   run      a Vulkan loader and Mesa's drivers
-  test     Vulkan's validation layer
+  test     Vulkan's validation layer, and the browser that tests a report's page
   bundle   what deploy/bundle.sh packs with
   lint     what deploy/lint.sh checks with
 
@@ -25,9 +25,10 @@ declare -rA packages=(
     libopenimageio-dev
     libglm-dev libcli11-dev libfmt-dev libspdlog-dev libtomlplusplus-dev nlohmann-json3-dev
     prometheus-cpp-dev
+    nodejs npm
     libgtest-dev libbenchmark-dev"
   [run]="libvulkan1 mesa-vulkan-drivers"
-  [test]="vulkan-validationlayers"
+  [test]="vulkan-validationlayers chromium"
   [bundle]="binutils patchelf"
   [lint]="clang-format clang-tidy-19 shellcheck"
 )
@@ -64,6 +65,8 @@ command -v dpkg-query >/dev/null ||
 
 missing=()
 for package in "${wanted[@]}"; do
+  # Node from elsewhere brings its own npm, which Debian's can't stand beside.
+  [[ $package =~ ^(nodejs|npm)$ ]] && command -v node >/dev/null && command -v npm >/dev/null && continue
   [[ $(dpkg-query -W -f '${db:Status-Status}' "$package" 2>/dev/null) == installed ]] ||
     missing+=("$package")
 done

@@ -74,7 +74,8 @@ client::Expected<client::Rendering> CaseRunner::render(const v1::RenderRequest& 
                                                     error.message));
       }
       unanswered(error.message);
-      client::pause(kGlance * (1 << std::min(doublings++, kMostDoublings)), options_.stop);
+      // One that refuses may do so for a while; what was lost in the middle goes elsewhere at once.
+      client::pause(kGlance * (1 << std::min(accepted ? 0 : doublings++, kMostDoublings)), options_.stop);
     } else {
       answered();
       if (error.code != grpc::NOT_FOUND || uploads++ == kMostUploads) return rendering;

@@ -12,6 +12,7 @@ namespace {
 namespace fs = std::filesystem;
 constexpr unsigned kMostPixels = 512;  // wide
 constexpr std::size_t kMostBytes = 25'000;
+constexpr unsigned kPlanCells = 180;
 
 bool isGrey(const std::uint8_t* pixel) { return pixel[0] == pixel[1] && pixel[1] == pixel[2]; }
 
@@ -56,9 +57,10 @@ std::vector<image::OutputFile> makePictures(const Case& one, const client::Rende
   const client::Image& colour = *method.find(v1::COLOUR);
   const image::Picture error =
       image::errorOverlay(colour, *method.find(v1::VISIBILITY), *method.find(v1::REFERENCE));
-  return {{folder / (one.id + ".jpg"), encodeSmall(shrunk(image::toPicture(colour), false))},
-          {folder / (one.id + "-error.jpg"), encodeSmall(shrunk(error, true))},
-          {folder / (one.id + "-plan.svg"), page::planPicture(method, rendering.accepted.light())}};
+  return {
+      {folder / (one.id + ".jpg"), encodeSmall(shrunk(image::toPicture(colour), false))},
+      {folder / (one.id + "-error.jpg"), encodeSmall(shrunk(error, true))},
+      {folder / (one.id + "-plan.svg"), page::planPicture(method, rendering.accepted.light(), kPlanCells)}};
 }
 
 v1::SweepImages pictureNames(const std::vector<image::OutputFile>& pictures, const fs::path& results) {

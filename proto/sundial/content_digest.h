@@ -5,7 +5,6 @@
 // main file writes it) and content, sorted by name.
 #pragma once
 
-#include <fmt/format.h>
 #include <openssl/evp.h>
 
 #include <array>
@@ -30,7 +29,7 @@ class ContentDigest {
   }
 
   // The same in pieces, of `size` bytes together.
-  void begin(std::uint64_t size) { update(fmt::format("{}:", size)); }
+  void begin(std::uint64_t size) { update(std::to_string(size) + ":"); }
   void update(std::string_view piece) {
     check(EVP_DigestUpdate(context_.get(), piece.data(), piece.size()) == 1);
   }
@@ -41,7 +40,10 @@ class ContentDigest {
     unsigned size = 0;
     check(EVP_DigestFinal_ex(context_.get(), bytes.data(), &size) == 1);
     std::string text;
-    for (unsigned i = 0; i < size; ++i) text += fmt::format("{:02x}", bytes[i]);
+    for (unsigned i = 0; i < size; ++i) {
+      text += "0123456789abcdef"[bytes[i] >> 4];
+      text += "0123456789abcdef"[bytes[i] & 15];
+    }
     return text;
   }
 

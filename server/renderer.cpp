@@ -22,16 +22,14 @@ class VulkanRenderer final : public Renderer {
   std::uint64_t validationMessages() const override { return device_->validationMessages(); }
 
   Result<void> run(const RenderJob& job, const Interrupt& interrupt, JobSink& sink) override {
-    return guarded(job, interrupt, [&](const JobContext& context) {
-      return runJob(context, job, interrupt, sink);
-    });
+    return guarded(job, interrupt,
+                   [&](const JobContext& context) { return runJob(context, job, interrupt, sink); });
   }
 
   Result<void> runStability(const StabilityJob& job, const Interrupt& interrupt,
                             StabilitySink& sink) override {
-    return guarded(job, interrupt, [&](const JobContext& context) {
-      return runStabilityJob(context, job, interrupt, sink);
-    });
+    return guarded(job, interrupt,
+                   [&](const JobContext& context) { return runStabilityJob(context, job, interrupt, sink); });
   }
 
  private:

@@ -25,8 +25,7 @@ bool hasMap(const Method& method) { return method.stages.has_value(); }
 class Stage {
  public:
   Stage(const JobContext& context, const StabilityJob& job) : context_(context), job_(job) {
-    if (!context.scene.reference)
-      context.scene.reference = std::make_unique<Reference>(context.scene.scene);
+    if (!context.scene.reference) context.scene.reference = std::make_unique<Reference>(context.scene.scene);
   }
 
   unsigned frames() const { return static_cast<unsigned>(job_.views.size()); }
@@ -101,7 +100,8 @@ double texelJump(const shared::Plan& before, const shared::Plan& now) {
   return jump;
 }
 
-// The frames that become pictures: the path is cut into as many stretches, and each is shown where most flips.
+// The frames that become pictures: the path is cut into as many stretches, and each is shown where most
+// flips.
 class Highlights {
  public:
   struct Pick {
@@ -147,7 +147,11 @@ class MethodRun {
     const FrameView view = stage_.enter(f);
     frame_.look(view);
     PointsInFrame points = stage_.pointsIn(f, view);
-    if (auto run = runFrame(context_.device, plan_, interrupt); !run) return std::unexpected(run.error());
+    if (plan_.empty()) {
+      if (auto error = interrupt.raised()) return std::unexpected(*error);
+    } else if (auto run = runFrame(context_.device, plan_, interrupt); !run) {
+      return std::unexpected(run.error());
+    }
     const std::vector<float> visibility = ask(points.samples, view);
     for (std::size_t i = 0; i < visibility.size(); ++i)
       if (visibility[i] >= 0.5f) points.states[i] |= kPointLit;
@@ -169,8 +173,7 @@ class MethodRun {
     const FrameView view = stage_.enter(pick.frame);
     const PointsInFrame points = stage_.pointsIn(pick.frame, view);
     for (const std::uint32_t i : pick.flipped)
-      picture.flipped.push_back(
-          {pixelOf(points.samples[i], view.constants), ((*now)[i] & kPointLit) != 0});
+      picture.flipped.push_back({pixelOf(points.samples[i], view.constants), ((*now)[i] & kPointLit) != 0});
     return picture;
   }
 
@@ -195,7 +198,7 @@ class MethodRun {
   const Method& method_;
   Frame frame_;
   std::optional<BindingSet> bindings_;
-  std::vector<Pass> plan_;  // the passes up to the maps
+  std::vector<Pass> plan_;  // the passes up to the maps; none without one
 };
 
 Result<void> runMethod(const JobContext& context, const Stage& stage, PointTarget& target,

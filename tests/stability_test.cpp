@@ -1,6 +1,8 @@
-// What flips and what doesn't: the counting by itself, paths, the choice of points, and whole runs on the device.
+// What flips and what doesn't: the counting by itself, paths, the choice of points, and whole runs on the
+// device.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <map>
 #include <numbers>
@@ -17,8 +19,8 @@ namespace {
 
 // --- Counting
 
-constexpr PointState kSeen = kPointSeen, kLit = kPointSeen | kPointLit,
-                     kTruth = kPointSeen | kPointTruthLit, kBoth = kLit | kTruth;
+constexpr PointState kSeen = kPointSeen, kLit = kPointSeen | kPointLit, kTruth = kPointSeen | kPointTruthLit,
+                     kBoth = kLit | kTruth;
 
 TEST(Flips, AnAnswerThatChangesAloneIsAFlip) {
   FlipCounter counter;
@@ -47,8 +49,8 @@ TEST(Flips, OnlyPointsSeenInBothFramesFromOneSideCount) {
   FlipCounter counter;
   const PointState back = kPointBack;
   counter.add(std::vector<PointState>{kLit, 0, kLit, kLit, PointState(kLit | back)});
-  const StabilityFrame frame = counter.add(std::vector<PointState>{0, kLit, PointState(kSeen | back), kSeen,
-                                                                   PointState(kSeen | back)});
+  const StabilityFrame frame = counter.add(
+      std::vector<PointState>{0, kLit, PointState(kSeen | back), kSeen, PointState(kSeen | back)});
   EXPECT_EQ(frame.pairs, 2u);
   EXPECT_EQ(frame.flips, 2u);
   EXPECT_EQ(counter.flipped(), (std::vector<std::uint32_t>{3, 4}));
@@ -71,11 +73,10 @@ TEST(Flips, WrongAnswersAreCountedWherePointsAreSeen) {
 }
 
 TEST(Flips, RatesAreSharesOfPairs) {
-  const StabilityResult result = summed({{.frame = 0, .pairs = 0, .flips = 0, .seen = 10, .wrong = 1},
-                                         {.frame = 1, .pairs = 8, .flips = 2, .seen = 10, .wrong = 2,
-                                          .texelJump = 0.5},
-                                         {.frame = 2, .pairs = 2, .flips = 1, .seen = 5, .wrong = 2,
-                                          .texelJump = 0.25}});
+  const StabilityResult result =
+      summed({{.frame = 0, .pairs = 0, .flips = 0, .seen = 10, .wrong = 1},
+              {.frame = 1, .pairs = 8, .flips = 2, .seen = 10, .wrong = 2, .texelJump = 0.5},
+              {.frame = 2, .pairs = 2, .flips = 1, .seen = 5, .wrong = 2, .texelJump = 0.25}});
   EXPECT_DOUBLE_EQ(result.flipRate, 0.3);
   EXPECT_DOUBLE_EQ(result.pop, 0.5);
   EXPECT_DOUBLE_EQ(result.wrongRate, 0.2);
@@ -138,7 +139,8 @@ TEST(Paths, LightsTurnFromKeyToKey) {
 // --- Points
 
 TEST(Points, AreSpreadByArea) {
-  // Two pixels of equal depth, one facing the camera, one at an angle that makes its surface four times as large.
+  // Two pixels of equal depth, one facing the camera, one at an angle that makes its surface four times as
+  // large.
   shared::FrameConstants constants{};
   constants.clipFromWorld[2][3] = -1;  // looks along -z; w is the depth
   constants.wsRayPerPixelX = {1, 0, 0};
@@ -146,10 +148,11 @@ TEST(Points, AreSpreadByArea) {
   const float slant = 0.25f;
   std::vector<shared::ViewSample> samples;
   for (int i = 0; i < 20000; ++i)
-    samples.push_back({.wsPosition = {0, 0, -1},
-                       .instance = 0,
-                       .wsNormal = i % 2 ? glm::vec3(0, 0, 1) : glm::vec3(std::sqrt(1 - slant * slant), 0, slant),
-                       .triangle = 0});
+    samples.push_back(
+        {.wsPosition = {0, 0, -1},
+         .instance = 0,
+         .wsNormal = i % 2 ? glm::vec3(0, 0, 1) : glm::vec3(std::sqrt(1 - slant * slant), 0, slant),
+         .triangle = 0});
   Scene scene;
   scene.clusters.push_back({.firstIndex = 0, .indexCount = 3, .material = 0});
   scene.materials.emplace_back();

@@ -5,6 +5,7 @@
 #include <google/protobuf/text_format.h>
 
 #include <algorithm>
+#include <filesystem>
 #include <fstream>
 #include <memory>
 #include <optional>
@@ -52,6 +53,11 @@ class FirstError final : public google::protobuf::io::ErrorCollector {
 // What has a slash or a dot is a file; other words are names of the scene's own.
 bool isFile(const std::string& path) { return path.find_first_of("/.") != std::string::npos; }
 
+// What a run along a path is called.
+std::string nameOf(const std::string& path) {
+  return isFile(path) ? std::filesystem::path(path).stem().string() : path;
+}
+
 void readKeys(const std::string& option, const std::string& file, google::protobuf::Message& path) {
   std::ifstream input(file, std::ios::binary);
   std::ostringstream text;
@@ -72,7 +78,8 @@ v1::StabilityRequest makeRequest(const Options& options) {
   request.set_height(still.height());
   if (!options.path.empty()) {
     if (still.view_choice_case() != v1::RenderRequest::VIEW_CHOICE_NOT_SET)
-      throw refusal("--path: the camera can't stand still at the same time; leave out --view, --eye, --target");
+      throw refusal(
+          "--path: the camera can't stand still at the same time; leave out --view, --eye, --target");
     if (isFile(options.path)) {
       readKeys("--path", options.path, *request.mutable_path());
     } else {
@@ -85,7 +92,8 @@ v1::StabilityRequest makeRequest(const Options& options) {
   }
   if (!options.lightPath.empty()) {
     if (still.light_choice_case() != v1::RenderRequest::LIGHT_CHOICE_NOT_SET)
-      throw refusal("--light-path: the light can't stand still at the same time; leave out --light, --sun ...");
+      throw refusal(
+          "--light-path: the light can't stand still at the same time; leave out --light, --sun ...");
     if (isFile(options.lightPath)) {
       readKeys("--light-path", options.lightPath, *request.mutable_light_path());
     } else {
@@ -124,8 +132,8 @@ std::vector<Task> namedTasks(const Options& options, const v1::ListStabilityCase
     tasks.push_back({row.request(), row, row.name()});
   }
   if (tasks.empty())
-    throw failure(fmt::format("--case: there is no '{}'; there are: all, {}", options.named,
-                              fmt::join(names, ", ")));
+    throw failure(
+        fmt::format("--case: there is no '{}'; there are: all, {}", options.named, fmt::join(names, ", ")));
   return tasks;
 }
 
@@ -179,7 +187,7 @@ void stability(Session& session, const Options& options) {
     v1::StabilityRequest request = makeRequest(options);
     for (const v1::MethodChoice& method : methods) *request.add_methods() = method;
     applyCommon(options, request);
-    tasks.push_back({request, std::nullopt, options.path.empty() ? options.lightPath : options.path});
+    tasks.push_back({request, std::nullopt, nameOf(options.path.empty() ? options.lightPath : options.path)});
   } else if (!options.scene.empty() || !options.path.empty() || !options.lightPath.empty()) {
     throw refusal("--case brings its own scene and paths; leave out SCENE, --path and --light-path");
   }
@@ -228,9 +236,12 @@ void addStability(CLI::App& app, Action& action) {
   CLI::App* command = app.add_subcommand(
       "stability", "Move the camera or the light, and count shadows that change although they shouldn't");
   command->footer(
-      "flip rate: of fixed points on surfaces, seen in two frames in a row, the share whose shadow changes from "
-      "one\nto the next while the ray-traced truth doesn't; pop: the largest share in one frame; texel jump: the "
-      "largest\n|log2| of a shadow map's texel size from frame to frame; wrong: answers that aren't the truth.\n\n"
+      "flip rate: of fixed points on surfaces, seen in two frames in a row, the share whose shadow changes "
+      "from "
+      "one\nto the next while the ray-traced truth doesn't; pop: the largest share in one frame; texel jump: "
+      "the "
+      "largest\n|log2| of a shadow map's texel size from frame to frame; wrong: answers that aren't the "
+      "truth.\n\n"
       "FILE (it has a dot or a slash) holds key frames in protobuf text format:\n"
       "  keys { eye { x: 1 y: 2 z: 3 } target {} vertical_fov_degrees: 60 }  keys { ... }  frames: 60\n"
       "and of a light path, e.g.:\n"
@@ -246,7 +257,9 @@ void addStability(CLI::App& app, Action& action) {
       ->allow_extra_args(false);
   command->add_option("--path", options->path, "the camera's way: a path of the scene, or a file")
       ->type_name("NAME|FILE");
-  command->add_option("--light-path", options->lightPath, "the light's way: a light path of the scene, or a file")
+  command
+      ->add_option("--light-path", options->lightPath,
+                   "the light's way: a light path of the scene, or a file")
       ->type_name("NAME|FILE");
   command->add_option("--case", options->named, "a named case where a method fails, or all of them")
       ->type_name("NAME|all");
@@ -257,7 +270,8 @@ void addStability(CLI::App& app, Action& action) {
       ->type_name("N")
       ->check(CLI::Range(1, 65536));
   command->add_option("--seed", options->seed, "chooses the points [1]")->type_name("N");
-  command->add_option("-o,--output", options->output, "folder for strips of frames, report.json and index.html")
+  command
+      ->add_option("-o,--output", options->output, "folder for strips of frames, report.json and index.html")
       ->type_name("DIR");
   options->view.addTo(*command, "512x512");
   command->callback(

@@ -25,8 +25,7 @@ void drawDisc(Picture& strip, unsigned left, unsigned width, float x, float y, R
   for (int v = static_cast<int>(y) - reach; v <= static_cast<int>(y) + reach; ++v)
     for (int u = static_cast<int>(x) - reach; u <= static_cast<int>(x) + reach; ++u) {
       if (u < 0 || v < 0 || u >= static_cast<int>(width) || v >= static_cast<int>(strip.height)) continue;
-      const float distance =
-          std::hypot(static_cast<float>(u) + 0.5f - x, static_cast<float>(v) + 0.5f - y);
+      const float distance = std::hypot(static_cast<float>(u) + 0.5f - x, static_cast<float>(v) + 0.5f - y);
       if (distance > kOutline) continue;
       const Rgb shown = distance > kDisc ? Rgb{0, 0, 0} : colour;
       std::uint8_t* pixel =

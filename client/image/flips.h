@@ -15,7 +15,8 @@ inline constexpr Rgb kBecameDark = {0xd5, 0x5e, 0x00};
 inline constexpr unsigned kStripSide = 256;  // pixels: the longer side of a frame in a strip, at most
 inline constexpr unsigned kStripGap = 4;     // black, between frames
 
-// The frames dimmed and grey, each flipped point a disc. All pictures have one size, and there is at least one.
+// The frames dimmed and grey, each flipped point a disc. All pictures have one size, and there is at least
+// one.
 Picture flipStrip(const std::vector<client::StabilityPicture>&);
 
 }  // namespace sundial::image

@@ -52,16 +52,18 @@ std::string lines(const std::vector<std::vector<double>>& series, double top, co
   std::string svg = fmt::format(
       "<svg viewBox=\"0 0 {} {}\" role=\"img\" aria-label=\"{}\">"
       "<path d=\"M{} {}V{}H{}\" fill=\"none\" stroke=\"currentColor\" stroke-opacity=\".4\"/>"
-      "<text x=\"{}\" y=\"{}\" text-anchor=\"end\">{}</text><text x=\"{}\" y=\"{}\" text-anchor=\"end\">0</text>"
+      "<text x=\"{}\" y=\"{}\" text-anchor=\"end\">{}</text><text x=\"{}\" y=\"{}\" "
+      "text-anchor=\"end\">0</text>"
       "<text x=\"{}\" y=\"{}\">frame 0</text><text x=\"{}\" y=\"{}\" text-anchor=\"end\">frame {}</text>",
       kWidth, kHeight, title, kLeft, kTop, bottom, right, kLeft - 6, kTop + 10, topLabel, kLeft - 6, bottom,
       kLeft, bottom + 20, right, bottom + 20, frames - 1);
   for (std::size_t i = 0; i < series.size(); ++i) {
     std::string points;
     for (std::size_t f = 0; f < series[i].size(); ++f)
-      points += fmt::format(
-          "{:.1f},{:.1f} ", kLeft + (right - kLeft) * static_cast<double>(f) / static_cast<double>(frames - 1),
-          bottom - (bottom - kTop) * (top > 0 ? series[i][f] / top : 0));
+      points +=
+          fmt::format("{:.1f},{:.1f} ",
+                      kLeft + (right - kLeft) * static_cast<double>(f) / static_cast<double>(frames - 1),
+                      bottom - (bottom - kTop) * (top > 0 ? series[i][f] / top : 0));
     svg += fmt::format(
         "<polyline points=\"{}\" fill=\"none\" stroke=\"{}\" stroke-width=\"2\" stroke-dasharray=\"{}\"/>",
         points, colourOf(i), kDashes[i % std::size(kDashes)]);
@@ -124,7 +126,8 @@ std::vector<image::OutputFile> stabilityFiles(const std::filesystem::path& folde
   std::string html = fmt::format(
       "<!doctype html>\n<html lang=\"en\"><head><meta charset=\"utf-8\">"
       "<meta name=\"viewport\" content=\"width=device-width\"><title>Stability · Sundial</title>\n"
-      "<style>{}{}</style></head>\n<body><header><h1>Stability</h1><p>Fixed points on surfaces, asked in every "
+      "<style>{}{}</style></head>\n<body><header><h1>Stability</h1><p>Fixed points on surfaces, asked in "
+      "every "
       "frame: which answers change although the truth doesn't.</p></header>\n"
       "<p class=\"legend\"><span><i style=\"background:{}\"></i>became lit</span>"
       "<span><i style=\"background:{}\"></i>fell into shadow</span></p>\n",
@@ -135,16 +138,17 @@ std::vector<image::OutputFile> stabilityFiles(const std::filesystem::path& folde
       const auto& pictures = run.methods[i].pictures;
       if (pictures.empty()) continue;
       const image::Picture strip = image::flipStrip(pictures);
-      files.push_back({folder / fmt::format("{}-{}-{}.png", fileName(run.report.case_()), i + 1,
-                                            fileName(run.labels[i])),
-                       image::encodePng(strip)});
+      files.push_back(
+          {folder / fmt::format("{}-{}-{}.png", fileName(run.report.case_()), i + 1, fileName(run.labels[i])),
+           image::encodePng(strip)});
       std::string frames;
       for (const client::StabilityPicture& picture : pictures)
         frames += fmt::format("{}{} ({})", frames.empty() ? "" : ", ", picture.about.frame(),
                               picture.about.flipped_size());
       strips += fmt::format(
           "<figure><figcaption>{} <strong>{}</strong><span>frames (flips): {}</span></figcaption>"
-          "<div class=\"strip\"><img src=\"{}\" alt=\"frames of {} with their flipped points\"></div></figure>",
+          "<div class=\"strip\"><img src=\"{}\" alt=\"frames of {} with their flipped "
+          "points\"></div></figure>",
           inlineMark(i), escaped(run.labels[i]), frames,
           dataUri("image/jpeg", image::encodeJpeg(strip, kJpegQuality)), escaped(run.labels[i]));
     }

@@ -163,7 +163,8 @@ Result<RenderSpec> fromProto(const v1::RenderRequest& in, const RequestLimits& l
     if (!light) return std::unexpected(std::move(light.error()));
     spec.light = *light;
   } else if (in.has_light_name()) {
-    if (auto named = checkedName(in.light_name(), "light_name"); !named) return std::unexpected(named.error());
+    if (auto named = checkedName(in.light_name(), "light_name"); !named)
+      return std::unexpected(named.error());
     spec.lightName = in.light_name();
   }
 

@@ -21,7 +21,8 @@ Result<void> checkCount(std::string_view field, std::uint64_t value, std::uint64
 template <class Key, class Path>
 Result<std::vector<Key>> keysOf(const Path& in, const std::string& field) {
   if (in.keys_size() < 1 || in.keys_size() > kMaxPathKeys)
-    return invalid(fmt::format("{}.keys has {} entries: must have 1 to {}", field, in.keys_size(), kMaxPathKeys));
+    return invalid(
+        fmt::format("{}.keys has {} entries: must have 1 to {}", field, in.keys_size(), kMaxPathKeys));
   if (auto frames = checkCount(field + ".frames", in.frames(), 1, kMaxStabilityFrames); !frames)
     return std::unexpected(frames.error());
   std::vector<Key> keys;
@@ -150,11 +151,11 @@ Result<StabilityJob> withScene(StabilitySpec spec, std::shared_ptr<const Scene> 
   job.lights = std::move(*lights);
   job.scene = std::move(scene);
   if (const std::uint64_t bytes = outputBytes(job); bytes > limits.outputBytes)
-    return fail(ErrorCode::resourceExhausted,
-                fmt::format("{} pictures of {} x {} pixels for {} methods are {} bytes, over this server's {}: "
-                            "ask for less",
-                            job.pictures, job.size.x, job.size.y, job.methods.size(), bytes,
-                            limits.outputBytes));
+    return fail(
+        ErrorCode::resourceExhausted,
+        fmt::format("{} pictures of {} x {} pixels for {} methods are {} bytes, over this server's {}: "
+                    "ask for less",
+                    job.pictures, job.size.x, job.size.y, job.methods.size(), bytes, limits.outputBytes));
   return job;
 }
 

@@ -64,7 +64,8 @@ void RenderReactor<Event>::onScene(Prepare prepare, Result<LoadedScene> loaded) 
         .run = [self = this->shared_from_this(), work = std::move(*work)](
                    Renderer& renderer,
                    const Interrupt& interrupt) mutable { self->render(work, renderer, interrupt); },
-        .refuse = [self = this->shared_from_this()](Error why) { self->end(std::unexpected(std::move(why))); },
+        .refuse = [self =
+                       this->shared_from_this()](Error why) { self->end(std::unexpected(std::move(why))); },
     });
     if (!ahead) {
       status_ = toStatus(ahead.error());

@@ -1,5 +1,5 @@
-// The named cases: where each method fails, and where every method must not (DESIGN section 3). A case is a row
-// here: the server lists it, the command runs it, tests loop over it.
+// The named cases: where each method fails, and where every method must not (DESIGN section 3). A case is a
+// row here: the server lists it, the command runs it, tests loop over it.
 #pragma once
 
 #include <span>

@@ -43,8 +43,9 @@ Result<std::vector<View>> viewsAlong(std::span<const View> keys, unsigned frames
                      .up = between(a.up, b.up, place.share),
                      .verticalFovDegrees = between(a.verticalFovDegrees, b.verticalFovDegrees, place.share)});
     if (const auto why = whyInvalid(views.back()))
-      return invalid(fmt::format("path: between its keys {} and {} the view can't be one ({}): add a key there",
-                                 place.first, place.second, *why));
+      return invalid(
+          fmt::format("path: between its keys {} and {} the view can't be one ({}): add a key there",
+                      place.first, place.second, *why));
   }
   return views;
 }

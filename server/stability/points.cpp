@@ -53,7 +53,8 @@ void PointChooser::add(unsigned frame, std::span<const shared::ViewSample> sampl
       if (!(key < candidates_.top().key)) continue;
       candidates_.pop();
     }
-    candidates_.push({key, order,
+    candidates_.push({key,
+                      order,
                       {.position = glm::dvec3(sample.wsPosition) + origin,
                        .normal = sample.wsNormal,
                        .instance = sample.instance,

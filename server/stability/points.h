@@ -21,9 +21,10 @@ struct SurfacePoint {
   bool oneSided = false;  // not there for a camera behind it
 };
 
-// Chooses points from the view samples of some frames, so that each is chosen with a probability in proportion
-// to the area that its pixel covers on the surface: a weighted reservoir [Efraimidis and Spirakis 2006]. What is
-// in sight for longer is chosen more often. Depends on nothing but seed, samples and the frames' numbers.
+// Chooses points from the view samples of some frames, so that each is chosen with a probability in
+// proportion to the area that its pixel covers on the surface: a weighted reservoir [Efraimidis and Spirakis
+// 2006]. What is in sight for longer is chosen more often. Depends on nothing but seed, samples and the
+// frames' numbers.
 class PointChooser {
  public:
   PointChooser(unsigned count, std::uint64_t seed) : count_(count), seed_(seed) {}

@@ -150,12 +150,14 @@ class FakeRenderer final : public Renderer {
         state_->gate.arrive();
         if (auto raised = interrupt.raised()) return std::unexpected(std::move(*raised));
         ++state_->passesRun;
-        frames.push_back({.frame = f, .pairs = f == 0 ? 0u : 10u, .flips = f + 1 == job.views.size() ? 5u : 0u});
+        frames.push_back(
+            {.frame = f, .pairs = f == 0 ? 0u : 10u, .flips = f + 1 == job.views.size() ? 5u : 0u});
         sink.onFrame(m, frames.back());
       }
       for (unsigned p = 0; p < std::min<std::size_t>(job.pictures, job.views.size()); ++p) {
         Image image = fakeImage(m, Aov::colour, job.size);
-        sink.onPicture(m, {.frame = p, .size = job.size, .colour = std::move(image.bytes), .flipped = {{{1, 2}, true}}});
+        sink.onPicture(
+            m, {.frame = p, .size = job.size, .colour = std::move(image.bytes), .flipped = {{{1, 2}, true}}});
       }
       StabilityResult result = summed(std::move(frames));
       result.method = job.methods[m];

@@ -67,7 +67,7 @@ void makeGrid(SceneBuilder& builder, const Values& values) {
   builder.addView(placed("low", {-far * 1.15, 1.6, -far * 0.9}, {0, 0.4, 0}, 50));
   builder.addView(placed("close", {2.6, 1.5, 3.4}, {0.5, 0, 0.5}, 50));
   builder.addView(placed("sky", {0, 4, 0}, {0.5, 9, 0.5}, 60));
-  builder.addView(placed("shadows", {0, 0.45, 0}, {0.9, 0, 0.6}, 70));
+  builder.addView(placed("shadows", {0, 0.45, 0}, {0.1, 0, 0.07}, 90));
   builder.addLight(sun("sun", 50, 0.1));
   builder.addLight(sun("low", 5, 0.07));
   builder.addLight(sun("noon", 85, 0.3));

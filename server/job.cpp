@@ -196,21 +196,24 @@ std::vector<PassTiming> passTimings(const std::vector<Pass>& passes, const std::
 
 }  // namespace
 
-std::optional<std::string> whyInvalid(const RenderJob& job, const Device& device) {
-  if (!job.scene) return "scene: none is given";
-  const unsigned most = std::min(kMaxSide, device.limits().maxImageDimension2D);
-  if (job.size.x < 1 || job.size.y < 1 || job.size.x > most || job.size.y > most)
-    return fmt::format("size: {}x{} pixels; each side must be in [1, {}]", job.size.x, job.size.y, most);
-  if (job.methods.empty()) return "methods: none is given";
-  if (auto why = whyInvalid(job.view)) return why;
-  if (auto why = whyInvalid(job.light)) return why;
-  for (const Method& method : job.methods) {
-    const auto limit = device.limits().maxImageDimension2D;
+std::optional<std::string> whyInvalid(glm::uvec2 size, const std::vector<Method>& methods,
+                                      const Device& device) {
+  const unsigned limit = device.limits().maxImageDimension2D, most = std::min(kMaxSide, limit);
+  if (size.x < 1 || size.y < 1 || size.x > most || size.y > most)
+    return fmt::format("size: {}x{} pixels; each side must be in [1, {}]", size.x, size.y, most);
+  if (methods.empty()) return "methods: none is given";
+  for (const Method& method : methods)
     if (method.stages && std::max(method.settings.width, method.settings.height) > limit)
       return fmt::format("method {}: this device's maps have at most {} texels a side", method.label(),
                          limit);
-  }
   return std::nullopt;
+}
+
+std::optional<std::string> whyInvalid(const RenderJob& job, const Device& device) {
+  if (!job.scene) return "scene: none is given";
+  if (auto why = whyInvalid(job.size, job.methods, device)) return why;
+  if (auto why = whyInvalid(job.view)) return why;
+  return whyInvalid(job.light);
 }
 
 Result<void> runJob(const JobContext& context, const RenderJob& job, const Interrupt& interrupt,

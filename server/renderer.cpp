@@ -7,6 +7,7 @@
 #include <list>
 
 #include "job.h"
+#include "stability_job.h"
 
 namespace sundial {
 
@@ -21,6 +22,19 @@ class VulkanRenderer final : public Renderer {
   std::uint64_t validationMessages() const override { return device_->validationMessages(); }
 
   Result<void> run(const RenderJob& job, const Interrupt& interrupt, JobSink& sink) override {
+    return guarded(job, interrupt,
+                   [&](const JobContext& context) { return runJob(context, job, interrupt, sink); });
+  }
+
+  Result<void> runStability(const StabilityJob& job, const Interrupt& interrupt,
+                            StabilitySink& sink) override {
+    return guarded(job, interrupt,
+                   [&](const JobContext& context) { return runStabilityJob(context, job, interrupt, sink); });
+  }
+
+ private:
+  template <class Job, class Function>
+  Result<void> guarded(const Job& job, const Interrupt& interrupt, Function run) {
     try {
       if (auto why = whyInvalid(job, *device_)) return invalid(*why);
       if (auto error = interrupt.raised()) return std::unexpected(*error);
@@ -28,7 +42,7 @@ class VulkanRenderer final : public Renderer {
         target_.reset();
         target_.emplace(*device_, job.size);
       }
-      return runJob({*device_, pipelines_, *target_, resident(job.scene)}, job, interrupt, sink);
+      return run(JobContext{*device_, pipelines_, *target_, resident(job.scene)});
     } catch (const GpuError& error) {
       if (error.result == VK_ERROR_OUT_OF_DEVICE_MEMORY || error.result == VK_ERROR_OUT_OF_HOST_MEMORY) {
         target_.reset();
@@ -43,7 +57,6 @@ class VulkanRenderer final : public Renderer {
     }
   }
 
- private:
   // What the device holds of a scene goes when the last owner outside lets go of the scene, at the next job.
   ResidentScene& resident(const std::shared_ptr<const Scene>& scene) {
     scenes_.remove_if([](const ResidentScene& r) { return r.owner.expired(); });

@@ -1,4 +1,5 @@
-// Renders jobs: one view of one scene by one or more methods, with images, timings and measures. The one door
+// Renders jobs: one view of one scene by one or more methods, with images, timings and measures; or a path
+// through it, with what flips on the way (stability/stability.h). The one door
 // between the service (or the benchmark) and everything that draws. Knows neither gRPC nor protobuf.
 #pragma once
 
@@ -16,6 +17,7 @@
 #include "scene/scene.h"
 #include "shadow/method.h"
 #include "shared/plan.h"
+#include "stability/stability.h"
 
 namespace sundial {
 
@@ -118,6 +120,9 @@ class Renderer {
 
   // Errors: invalidArgument (size, view, light), cancelled, deadlineExceeded, resourceExhausted (memory).
   virtual Result<void> run(const RenderJob&, const Interrupt&, JobSink&) = 0;
+
+  // The same errors; those of the path name the frame.
+  virtual Result<void> runStability(const StabilityJob&, const Interrupt&, StabilitySink&) = 0;
 
   // Messages of the validation layer so far (0 without it).
   virtual std::uint64_t validationMessages() const = 0;

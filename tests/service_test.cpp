@@ -773,6 +773,9 @@ TEST_F(ServiceTest, RendererThatThrowsIsAnError) {
       if (job.size.x == 1) throw std::bad_alloc();
       throw std::runtime_error("device lost");
     }
+    Result<void> runStability(const StabilityJob&, const Interrupt&, StabilitySink&) override {
+      throw std::runtime_error("device lost");
+    }
     DeviceInfo info;
   };
   std::atomic<unsigned> broken = 0;

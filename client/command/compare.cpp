@@ -7,6 +7,7 @@
 
 #include "command/command.h"
 #include "command/failure.h"
+#include "command/folder.h"
 #include "command/json.h"
 #include "command/report.h"
 #include "command/view_options.h"
@@ -43,15 +44,6 @@ v1::RenderRequest makeRequest(const Options& options) {
     for (const v1::Aov aov : {v1::COLOUR, v1::VISIBILITY, v1::REFERENCE, v1::POSITION})
       request.add_images(aov);
   return request;
-}
-
-// The folder may be new; the one that holds it may not.
-void makeFolder(const fs::path& folder) {
-  std::error_code error;
-  if (!fs::is_directory(folder, error) && !fs::create_directories(folder, error))
-    throw refusal(fmt::format("-o: can't make the folder {}: {}; choose another", folder.string(),
-                              error ? error.message() : "a file is in its place"));
-  if (const auto why = image::whyUnwritable(folder / "index.html")) throw refusal("-o: " + *why);
 }
 
 std::string quartiles(const google::protobuf::RepeatedField<double>& values) {

@@ -63,6 +63,7 @@ int run(int argc, char** argv) {
   addMethods(app, action);
   addRender(app, action);
   addCompare(app, action);
+  addStability(app, action);
   addSweep(app, action);
   addChart(app, action);
   try {

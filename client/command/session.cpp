@@ -79,6 +79,15 @@ client::Rendering Session::render(const v1::RenderRequest& request) {
   }));
 }
 
+std::vector<client::MethodStability> Session::stability(const v1::StabilityRequest& request,
+                                                        const std::string& title) {
+  const client::Client& server = client();
+  ProgressBar bar(title, options_.quiet);
+  return answer(server.stability(request, [&](double done, double total) {
+    if (total > 0) bar.show(done, total);
+  }));
+}
+
 Failure Session::explained(const client::Error& error) const {
   if (interrupt_.signal() != 0) return failure("interrupted");
   if (error.code == grpc::UNAVAILABLE && privateServer_)

@@ -52,6 +52,7 @@ class Session {
 
   // Of one rendering of `methods` methods, on the terminal if there is one.
   client::Rendering render(const v1::RenderRequest&);
+  std::vector<client::MethodStability> stability(const v1::StabilityRequest&, const std::string& title);
 
  private:
   Failure explained(const client::Error&) const;

@@ -31,7 +31,8 @@ v1::Vec3 difference(const v1::Vec3& a, const v1::Vec3& b) {
 
 }  // namespace
 
-void ViewOptions::addTo(CLI::App& app) {
+void ViewOptions::addTo(CLI::App& app, const std::string& size) {
+  size_ = size;
   const std::string view = "View";
   auto* eye = app.add_option("--eye", eye_, "camera position, metres")->type_name("X,Y,Z")->group(view);
   auto* target =
@@ -44,7 +45,7 @@ void ViewOptions::addTo(CLI::App& app) {
                   ->group(view);
   auto* name =
       app.add_option("--view", viewName_, "a view of the scene by its name")->type_name("NAME")->group(view);
-  app.add_option("--size", size_, "pixels of the picture [1024x1024]")->type_name("WxH")->group(view);
+  app.add_option("--size", size_, "pixels of the picture [" + size + "]")->type_name("WxH")->group(view);
   eye->needs(target);
   target->needs(eye);
   up->needs(eye);

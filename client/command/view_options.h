@@ -12,7 +12,8 @@ namespace sundial::command {
 
 class ViewOptions {
  public:
-  void addTo(CLI::App&);
+  // `size`: the default of --size, "WxH".
+  void addTo(CLI::App&, const std::string& size = "1024x1024");
 
   // Throws a refusal for what can never be a view or a light.
   void apply(v1::RenderRequest&) const;
@@ -21,7 +22,7 @@ class ViewOptions {
   void applyView(v1::RenderRequest&) const;
   void applyLight(v1::RenderRequest&) const;
 
-  std::string eye_, target_, up_, fov_, size_ = "1024x1024", viewName_;
+  std::string eye_, target_, up_, fov_, size_, viewName_;
   std::string sun_, spot_, point_, lightName_;
 };
 

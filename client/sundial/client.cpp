@@ -22,6 +22,37 @@ Expected<Response> call(v1::Sundial::Stub& stub, const CallOptions& options, Rpc
   return response;
 }
 
+template <class Request, class Event>
+using Stream = std::unique_ptr<grpc::ClientReader<Event>> (v1::Sundial::Stub::*)(grpc::ClientContext*,
+                                                                                 const Request&);
+
+// A stream's events, put together: `before` sees each event, `after` the assembler that has taken it.
+template <class Assembler, class Event, class Request, class Before, class After>
+auto assembled(v1::Sundial::Stub& stub, const CallOptions& options, Stream<Request, Event> rpc,
+               const Request& request, const Before& before, const After& after)
+    -> decltype(std::declval<Assembler&>().finish()) {
+  decltype(std::declval<Assembler&>().finish()) whole;
+  const auto done = withRetries(options, [&](grpc::ClientContext& context) -> grpc::Status {
+    Assembler assembler(request);
+    const auto reader = (stub.*rpc)(&context, request);
+    Event event;
+    while (reader->Read(&event)) {
+      before(event);
+      if (const grpc::Status added = assembler.add(std::move(event)); !added.ok()) {
+        context.TryCancel();
+        reader->Finish();  // its CANCELLED is ours; the damage is the news
+        return added;
+      }
+      after(assembler);
+    }
+    if (const grpc::Status ended = reader->Finish(); !ended.ok()) return ended;
+    whole = assembler.finish();
+    return whole ? grpc::Status::OK : grpc::Status(whole.error().code, whole.error().message);
+  });
+  if (!done) return std::unexpected(done.error());
+  return whole;
+}
+
 // Writes until everything is sent or the server ends the call; its status says why. An error of our own is
 // for what can't be read.
 grpc::Status sendFiles(const SceneFiles& scene, grpc::ClientWriter<v1::UploadSceneRequest>& writer,
@@ -87,6 +118,11 @@ Expected<v1::UnloadSceneResponse> Client::unload(const std::string& scene) const
   return call(*stub_, options_, &v1::Sundial::Stub::UnloadScene, request);
 }
 
+Expected<v1::ListStabilityCasesResponse> Client::stabilityCases() const {
+  return call<v1::ListStabilityCasesRequest, v1::ListStabilityCasesResponse>(
+      *stub_, options_, &v1::Sundial::Stub::ListStabilityCases, {});
+}
+
 Expected<v1::SceneInfo> Client::upload(const SceneFiles& scene, const OnProgress& onProgress) const {
   v1::SceneInfo info;
   const auto done = withRetries(options_, [&](grpc::ClientContext& context) {
@@ -101,30 +137,28 @@ Expected<v1::SceneInfo> Client::upload(const SceneFiles& scene, const OnProgress
 }
 
 Expected<Rendering> Client::render(const v1::RenderRequest& request, const OnProgress& onProgress) const {
-  Expected<Rendering> rendering;
-  const auto done = withRetries(options_, [&](grpc::ClientContext& context) -> grpc::Status {
-    RenderingAssembler assembler(request);
-    const auto reader = stub_->Render(&context, request);
-    v1::RenderEvent event;
-    Progress progress;
-    while (reader->Read(&event)) {
-      if (event.has_accepted()) progress.queuePosition = event.accepted().queue_position();
-      if (const grpc::Status added = assembler.add(std::move(event)); !added.ok()) {
-        context.TryCancel();
-        reader->Finish();  // its CANCELLED is ours; the damage is the news
-        return added;
-      }
-      progress.bytes = assembler.bytesReceived();
-      progress.bytesExpected = assembler.bytesExpected();
-      progress.methodsDone = assembler.methodsDone();
-      if (onProgress) onProgress(progress);
-    }
-    if (const grpc::Status ended = reader->Finish(); !ended.ok()) return ended;
-    rendering = assembler.finish();
-    return rendering ? grpc::Status::OK : grpc::Status(rendering.error().code, rendering.error().message);
-  });
-  if (!done) return std::unexpected(done.error());
-  return rendering;
+  Progress progress;
+  return assembled<RenderingAssembler, v1::RenderEvent>(
+      *stub_, options_, &v1::Sundial::Stub::Render, request,
+      [&](const v1::RenderEvent& event) {
+        if (event.has_accepted()) progress = {.queuePosition = event.accepted().queue_position()};
+      },
+      [&](const RenderingAssembler& assembler) {
+        progress.bytes = assembler.bytesReceived();
+        progress.bytesExpected = assembler.bytesExpected();
+        progress.methodsDone = assembler.methodsDone();
+        if (onProgress) onProgress(progress);
+      });
+}
+
+Expected<std::vector<MethodStability>> Client::stability(
+    const v1::StabilityRequest& request,
+    const std::function<void(double done, double total)>& onProgress) const {
+  return assembled<StabilityAssembler, v1::StabilityEvent>(
+      *stub_, options_, &v1::Sundial::Stub::Stability, request, [](const v1::StabilityEvent&) {},
+      [&](const StabilityAssembler& assembler) {
+        if (onProgress) onProgress(assembler.framesDone(), assembler.frames());
+      });
 }
 
 }  // namespace sundial::client

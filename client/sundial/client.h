@@ -11,6 +11,7 @@
 #include "sundial/rendering.h"
 #include "sundial/retry.h"
 #include "sundial/scene_files.h"
+#include "sundial/stability.h"
 #include "sundial/v1/sundial.grpc.pb.h"
 
 namespace sundial::client {
@@ -39,8 +40,13 @@ class Client {
   // Also DATA_LOSS when a file changes while it is read.
   Expected<v1::SceneInfo> upload(const SceneFiles&, const OnProgress& = {}) const;
 
-  // Returns only what arrived whole: else DATA_LOSS.
+  Expected<v1::ListStabilityCasesResponse> stabilityCases() const;
+
+  // These return only what arrived whole: else DATA_LOSS.
   Expected<Rendering> render(const v1::RenderRequest&, const OnProgress& = {}) const;
+  // One a method. Called with the frames of all methods that are done, and how many there are.
+  Expected<std::vector<MethodStability>> stability(
+      const v1::StabilityRequest&, const std::function<void(double done, double total)>& = {}) const;
 
  private:
   std::unique_ptr<v1::Sundial::Stub> stub_;

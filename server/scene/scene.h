@@ -64,6 +64,7 @@ struct Scene {
   std::vector<NamedView> views;
   std::vector<NamedLight> lights;
   std::vector<NamedPath> paths;
+  std::vector<NamedLightPath> lightPaths;
 
   std::uint64_t instancedTriangles() const {
     std::uint64_t sum = 0;

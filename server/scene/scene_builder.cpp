@@ -110,6 +110,7 @@ void SceneBuilder::addInstance(std::string name, std::uint32_t mesh, const glm::
 void SceneBuilder::addView(NamedView view) { scene_.views.push_back(std::move(view)); }
 void SceneBuilder::addLight(NamedLight light) { scene_.lights.push_back(std::move(light)); }
 void SceneBuilder::addPath(NamedPath path) { scene_.paths.push_back(std::move(path)); }
+void SceneBuilder::addLightPath(NamedLightPath path) { scene_.lightPaths.push_back(std::move(path)); }
 
 Result<void> SceneBuilder::check() const {
   for (std::size_t i = 0; i < textures_.size(); ++i) {

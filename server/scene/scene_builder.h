@@ -35,6 +35,7 @@ class SceneBuilder {
   void addView(NamedView);
   void addLight(NamedLight);
   void addPath(NamedPath);
+  void addLightPath(NamedLightPath);
 
   // Errors: invalidArgument for a non-finite vertex, an index out of range, a singular or non-finite
   // transform; each names the mesh. Consumes the builder.

@@ -41,4 +41,11 @@ struct NamedPath {
   unsigned frames = 0;
 };
 
+// The same for a light; all keys are of one kind.
+struct NamedLightPath {
+  std::string name;
+  std::vector<Light> keys;
+  unsigned frames = 0;
+};
+
 }  // namespace sundial

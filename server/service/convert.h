@@ -10,6 +10,7 @@
 #include "renderer.h"
 #include "result.h"
 #include "scene_store.h"
+#include "stability/cases.h"
 #include "sundial/v1/sundial.pb.h"
 
 namespace sundial {
@@ -49,6 +50,7 @@ void toProto(const MethodResult&, v1::Result*);
 void toProto(const MethodRow&, v1::Method*);
 void toProto(const SceneListing&, v1::SceneInfo*);
 void toProto(const LoadedScene&, v1::SceneInfo*);
+void toProto(const StabilityCase&, v1::StabilityCase*);
 v1::Aov toProto(Aov);
 
 }  // namespace sundial

@@ -4,7 +4,7 @@
 #include <glm/glm.hpp>
 
 #include "scene/choose.h"
-#include "service/convert.h"
+#include "service/convert_parts.h"
 
 namespace sundial {
 
@@ -70,21 +70,6 @@ std::uint64_t bytesPerPixel(Aov aov) {
       return bytesPerPixel(Image::Format::r32u);
   }
   return 0;
-}
-
-Result<std::string> name(const std::string& value, const std::string& field) {
-  if (value.empty() || value.size() > kMaxNameLength) {
-    return invalid(fmt::format("{} has {} bytes: must have 1 to {}", field, value.size(), kMaxNameLength));
-  }
-  return value;
-}
-
-Result<Method> methodOf(const v1::MethodChoice& choice, const std::string& field) {
-  if (auto named = name(choice.name(), field + ".name"); !named) return std::unexpected(named.error());
-  const std::map<std::string, std::string> parameters(choice.parameters().begin(), choice.parameters().end());
-  auto method = chooseMethod(choice.name(), parameters);
-  if (!method) method.error().message = fmt::format("{}: {}", field, method.error().message);
-  return method;
 }
 
 }  // namespace
@@ -162,7 +147,7 @@ Result<Light> fromProto(const v1::Light& in, const std::string& field) {
 
 Result<RenderSpec> fromProto(const v1::RenderRequest& in, const RequestLimits& limits) {
   RenderSpec spec;
-  if (auto scene = name(in.scene(), "scene"); !scene) return std::unexpected(scene.error());
+  if (auto scene = checkedName(in.scene(), "scene"); !scene) return std::unexpected(scene.error());
   spec.scene = in.scene();
 
   // The view and the light, where they don't depend on the scene.
@@ -171,7 +156,7 @@ Result<RenderSpec> fromProto(const v1::RenderRequest& in, const RequestLimits& l
     if (!view) return std::unexpected(std::move(view.error()));
     spec.view = *view;
   } else if (in.has_view_name()) {
-    if (auto named = name(in.view_name(), "view_name"); !named) return std::unexpected(named.error());
+    if (auto named = checkedName(in.view_name(), "view_name"); !named) return std::unexpected(named.error());
     spec.viewName = in.view_name();
   }
   if (in.has_light()) {
@@ -179,27 +164,20 @@ Result<RenderSpec> fromProto(const v1::RenderRequest& in, const RequestLimits& l
     if (!light) return std::unexpected(std::move(light.error()));
     spec.light = *light;
   } else if (in.has_light_name()) {
-    if (auto named = name(in.light_name(), "light_name"); !named) return std::unexpected(named.error());
+    if (auto named = checkedName(in.light_name(), "light_name"); !named)
+      return std::unexpected(named.error());
     spec.lightName = in.light_name();
   }
 
   // The size.
-  for (const auto& [field, side] : {std::pair{"width", in.width()}, std::pair{"height", in.height()}}) {
-    if (side < 1 || side > limits.imageSide) {
-      return invalid(fmt::format("{} is {}: must lie in [1, {}] pixels", field, side, limits.imageSide));
-    }
-  }
-  spec.job.size = {in.width(), in.height()};
+  const auto size = checkedSize(in.width(), in.height(), limits);
+  if (!size) return std::unexpected(size.error());
+  spec.job.size = *size;
 
   // The methods.
-  if (in.methods_size() < 1 || in.methods_size() > kMaxMethods) {
-    return invalid(fmt::format("methods has {} entries: must have 1 to {}", in.methods_size(), kMaxMethods));
-  }
-  for (int i = 0; i < in.methods_size(); ++i) {
-    auto method = methodOf(in.methods(i), fmt::format("methods[{}]", i));
-    if (!method) return std::unexpected(std::move(method.error()));
-    spec.job.methods.push_back(std::move(*method));
-  }
+  auto methods = methodsOf(in.methods());
+  if (!methods) return std::unexpected(std::move(methods.error()));
+  spec.job.methods = std::move(*methods);
   if (in.has_baseline()) {
     auto method = methodOf(in.baseline(), "baseline");
     if (!method) return std::unexpected(std::move(method.error()));

@@ -150,6 +150,7 @@ void toProto(const LoadedScene& in, v1::SceneInfo* out) {
   for (const NamedView& view : scene.views) out->add_views(view.name);
   for (const NamedLight& light : scene.lights) out->add_lights(light.name);
   for (const NamedPath& path : scene.paths) out->add_paths(path.name);
+  for (const NamedLightPath& path : scene.lightPaths) out->add_light_paths(path.name);
 }
 
 void toProto(const SceneListing& in, v1::SceneInfo* out) {

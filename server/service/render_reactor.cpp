@@ -12,29 +12,18 @@ namespace sundial {
 
 using Clock = std::chrono::steady_clock;
 
-RenderReactor* RenderReactor::start(CallContext& context, grpc::CallbackServerContext* call,
-                                    const v1::RenderRequest& request) {
-  auto reactor = std::make_shared<RenderReactor>(context, call);
-  reactor->self_ = reactor;
-  reactor->begin(request);
-  return reactor.get();
-}
-
-RenderReactor::RenderReactor(CallContext& context, grpc::CallbackServerContext* call)
+template <class Event>
+RenderReactor<Event>::RenderReactor(CallContext& context, grpc::CallbackServerContext* call, std::string rpc)
     : context_(context),
       call_(call),
-      log_(context, *call, "Render"),
+      log_(context, *call, std::move(rpc)),
       deadline_(deadlineOf(*call, context.limits)) {
   context_.calls.begin();
 }
 
-void RenderReactor::begin(const v1::RenderRequest& request) {
-  // Refuse what can never work before what can't work now.
-  auto spec = fromProto(request, context_.limits.request);
-  if (!spec) return end(std::unexpected(std::move(spec.error())));
-  log_.record.subject = spec->scene;
-  for (const Method& method : spec->job.methods) log_.record.subject.append(" ").append(method.label());
-
+template <class Event>
+void RenderReactor<Event>::begin(std::string subject, std::string scene, Prepare prepare) {
+  log_.record.subject = std::move(subject);
   auto ticket = context_.queue.admit(log_.record.client);
   if (!ticket) {
     if (ticket.error().code == ErrorCode::resourceExhausted) {
@@ -47,26 +36,23 @@ void RenderReactor::begin(const v1::RenderRequest& request) {
     ticket_.emplace(std::move(*ticket));
     arm(Clock::now());
   }
-  const std::string scene = spec->scene;
   context_.store.load(
       scene, false, stopLoading_.get_token(),
-      [self = shared_from_this(), spec = std::move(*spec)](Result<LoadedScene> loaded) mutable {
-        self->onScene(std::move(spec), std::move(loaded));
+      [self = this->shared_from_this(), prepare = std::move(prepare)](Result<LoadedScene> loaded) mutable {
+        self->onScene(std::move(prepare), std::move(loaded));
       });
 }
 
-void RenderReactor::onScene(RenderSpec spec, Result<LoadedScene> loaded) {
+template <class Event>
+void RenderReactor<Event>::onScene(Prepare prepare, Result<LoadedScene> loaded) {
   if (!loaded) return end(std::unexpected(std::move(loaded.error())));
-  const std::uint64_t outputBytes = spec.outputBytes;
-  auto job = withScene(std::move(spec), loaded->scene);
-  if (!job) return end(std::unexpected(std::move(job.error())));
+  auto work = prepare(*loaded);
+  if (!work) return end(std::unexpected(std::move(work.error())));
 
-  v1::RenderEvent event;
+  Event event = std::move(work->accepted);
   v1::Accepted& accepted = *event.mutable_accepted();
   accepted.set_request_id(log_.record.id);
-  accepted.set_bytes_expected(outputBytes);
-  toProto(job->view, accepted.mutable_view());
-  toProto(job->light, accepted.mutable_light());
+  accepted.set_bytes_expected(work->outputBytes);
   accepted.set_scene_digest(loaded->digest);
   accepted.set_device(context_.queue.device().name);
   accepted.set_driver(context_.queue.device().driver);
@@ -75,12 +61,13 @@ void RenderReactor::onScene(RenderSpec spec, Result<LoadedScene> loaded) {
     const std::lock_guard lock(mutex_);
     if (status_) return;
     auto ahead = ticket_->enqueue({
-        .outputBytes = outputBytes,
+        .outputBytes = work->outputBytes,
         .deadline = deadline_,
-        .run = [self = shared_from_this(), job = std::move(*job)](
+        .run = [self = this->shared_from_this(), work = std::move(*work)](
                    Renderer& renderer,
-                   const Interrupt& interrupt) { self->render(job, renderer, interrupt); },
-        .refuse = [self = shared_from_this()](Error why) { self->end(std::unexpected(std::move(why))); },
+                   const Interrupt& interrupt) mutable { self->render(work, renderer, interrupt); },
+        .refuse = [self =
+                       this->shared_from_this()](Error why) { self->end(std::unexpected(std::move(why))); },
     });
     if (!ahead) {
       status_ = toStatus(ahead.error());
@@ -92,11 +79,12 @@ void RenderReactor::onScene(RenderSpec spec, Result<LoadedScene> loaded) {
   pump();
 }
 
-void RenderReactor::render(const RenderJob& job, Renderer& renderer, const Interrupt& interrupt) {
+template <class Event>
+void RenderReactor<Event>::render(Work& work, Renderer& renderer, const Interrupt& interrupt) {
   const auto began = Clock::now();
   Result<void> result = [&]() -> Result<void> {
     try {
-      return renderer.run(job, interrupt, *this);
+      return work.run(renderer, interrupt);
     } catch (const std::bad_alloc&) {
       return fail(ErrorCode::resourceExhausted,
                   "the rendering needs more memory than the server has: ask for less");
@@ -119,32 +107,15 @@ void RenderReactor::render(const RenderJob& job, Renderer& renderer, const Inter
     log_.record.renderMs = ms;
   }
   if (result) {
-    v1::RenderEvent done;
+    Event done;
     done.mutable_done();
     push(std::move(done));
   }
   end(std::move(result));
 }
 
-void RenderReactor::onPlan(std::size_t method, const std::vector<PlanView>& plan) {
-  v1::RenderEvent event;
-  event.mutable_layout()->set_method(static_cast<std::uint32_t>(method));
-  toProto(plan, event.mutable_layout()->mutable_plan());
-  push(std::move(event));
-}
-
-void RenderReactor::onImage(std::size_t method, Image image) {
-  push(Outgoing{static_cast<std::uint32_t>(method), std::move(image)});
-}
-
-void RenderReactor::onResult(std::size_t method, MethodResult result) {
-  v1::RenderEvent event;
-  event.mutable_timings()->set_method(static_cast<std::uint32_t>(method));
-  toProto(result, event.mutable_timings()->mutable_result());
-  push(std::move(event));
-}
-
-void RenderReactor::push(Item item) {
+template <class Event>
+void RenderReactor<Event>::pushItem(Item item) {
   {
     const std::lock_guard lock(mutex_);
     if (status_) return;  // nobody reads it any more
@@ -153,7 +124,8 @@ void RenderReactor::push(Item item) {
   pump();
 }
 
-void RenderReactor::end(Result<void> result) {
+template <class Event>
+void RenderReactor<Event>::end(Result<void> result) {
   std::deque<Item> dropped;  // images are freed without the lock
   {
     const std::lock_guard lock(mutex_);
@@ -167,7 +139,8 @@ void RenderReactor::end(Result<void> result) {
   pump();
 }
 
-void RenderReactor::giveUp(Error why) {
+template <class Event>
+void RenderReactor<Event>::giveUp(Error why) {
   RenderQueue::Ticket* ticket = nullptr;
   std::stop_source loading;
   {
@@ -181,56 +154,52 @@ void RenderReactor::giveUp(Error why) {
   end(std::unexpected(std::move(why)));
 }
 
-void RenderReactor::pump() {
+template <class Event>
+void RenderReactor<Event>::pump() {
   std::unique_lock lock(mutex_);
   if (writing_ || cancelling_ || finished_) return;
   if (nextEvent()) {
     writing_ = true;
     writeBegan_ = Clock::now();
     lock.unlock();
-    StartWrite(&event_);
+    this->StartWrite(&event_);
   } else if (status_) {
     finished_ = true;
     lock.unlock();
-    Finish(*status_);
+    this->Finish(*status_);
   }
 }
 
-bool RenderReactor::nextEvent() {
+template <class Event>
+bool RenderReactor<Event>::nextEvent() {
   if (items_.empty()) return false;
   if (auto* image = std::get_if<Outgoing>(&items_.front())) {
     nextOf(*image);
     if (!event_.has_image_end()) return true;
-    ticket_->sent(image->image.bytes.size());
+    ticket_->sent(image->bytes.size());
   } else {
-    event_ = std::move(std::get<v1::RenderEvent>(items_.front()));
+    event_ = std::move(std::get<Event>(items_.front()));
   }
   items_.pop_front();
   return true;
 }
 
-void RenderReactor::nextOf(Outgoing& out) {
-  const Image& image = out.image;
+template <class Event>
+void RenderReactor<Event>::nextOf(Outgoing& out) {
   switch (out.next) {
-    case Outgoing::Next::begin: {
-      v1::ImageBegin& to = *event_.mutable_image_begin();
-      to.set_method(out.method);
-      to.set_aov(toProto(image.aov));
-      to.set_width(image.size.x);
-      to.set_height(image.size.y);
-      to.set_bytes(image.bytes.size());
+    case Outgoing::Next::begin:
+      event_ = std::move(out.beginning);
       out.next = Outgoing::Next::chunk;
       break;
-    }
     case Outgoing::Next::chunk: {
-      const auto rest = std::span(image.bytes).subspan(out.offset);
+      const auto rest = std::span(out.bytes).subspan(out.offset);
       const auto chunk = rest.first(std::min(kChunkBytes, rest.size()));
       event_.mutable_image_chunk()->mutable_data()->assign(reinterpret_cast<const char*>(chunk.data()),
                                                            chunk.size());
       out.checksum = crc32c(chunk, out.checksum);
       out.offset += chunk.size();
       log_.record.bytesSent += chunk.size();
-      if (out.offset == image.bytes.size()) out.next = Outgoing::Next::end;
+      if (out.offset == out.bytes.size()) out.next = Outgoing::Next::end;
       break;
     }
     case Outgoing::Next::end:
@@ -239,7 +208,8 @@ void RenderReactor::nextOf(Outgoing& out) {
   }
 }
 
-void RenderReactor::OnWriteDone(bool ok) {
+template <class Event>
+void RenderReactor<Event>::OnWriteDone(bool ok) {
   {
     const std::lock_guard lock(mutex_);
     writing_ = false;
@@ -251,11 +221,13 @@ void RenderReactor::OnWriteDone(bool ok) {
   }
 }
 
-void RenderReactor::OnCancel() {
+template <class Event>
+void RenderReactor<Event>::OnCancel() {
   giveUp({ErrorCode::cancelled, "the client went away or its deadline passed"});
 }
 
-void RenderReactor::OnDone() {
+template <class Event>
+void RenderReactor<Event>::OnDone() {
   {
     const std::lock_guard lock(mutex_);
     if (alarm_) context_.timer.forget(*alarm_);
@@ -268,16 +240,18 @@ void RenderReactor::OnDone() {
 }
 
 // The next time at which something may be overdue.
-void RenderReactor::arm(Clock::time_point now) {
+template <class Event>
+void RenderReactor<Event>::arm(Clock::time_point now) {
   const auto stall = context_.limits.stallTimeout;
   auto next = writing_ ? writeBegan_ + stall : now + stall;
   if (deadline_ > now) next = std::min(next, deadline_);
-  alarm_ = context_.timer.at(next, [weak = weak_from_this()] {
+  alarm_ = context_.timer.at(next, [weak = this->weak_from_this()] {
     if (const auto self = weak.lock()) self->onTime();
   });
 }
 
-void RenderReactor::onTime() {
+template <class Event>
+void RenderReactor<Event>::onTime() {
   const auto now = Clock::now();
   bool stalled = false;
   {
@@ -299,5 +273,8 @@ void RenderReactor::onTime() {
     giveUp({ErrorCode::deadlineExceeded, "the deadline passed: allow more time, or ask for less"});
   }
 }
+
+template class RenderReactor<v1::RenderEvent>;
+template class RenderReactor<v1::StabilityEvent>;
 
 }  // namespace sundial

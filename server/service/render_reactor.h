@@ -1,54 +1,71 @@
-// One rendering as a stream of events. The rendering thread puts what it makes into a list and goes on; this
-// sends it on, one write at a time, as fast as the client reads.
+// Work of the rendering thread as a stream of events. The thread puts what it makes into a list and goes on;
+// this sends it on, one write at a time, as fast as the client reads.
 #pragma once
 
 #include <grpcpp/support/server_callback.h>
 
 #include <deque>
+#include <functional>
 #include <memory>
 #include <mutex>
 #include <optional>
 #include <stop_token>
+#include <string>
 #include <variant>
+#include <vector>
 
 #include "service/call.h"
 #include "sundial/v1/sundial.pb.h"
 
 namespace sundial {
 
-class RenderReactor final : public grpc::ServerWriteReactor<v1::RenderEvent>,
-                            public JobSink,
-                            public std::enable_shared_from_this<RenderReactor> {
+// Event: a message with accepted, image_chunk, image_end and done, as the contract's streams have.
+template <class Event>
+class RenderReactor : public grpc::ServerWriteReactor<Event>,
+                      public std::enable_shared_from_this<RenderReactor<Event>> {
  public:
-  // Owned by the call until gRPC is done with it, and by the rendering while it runs.
-  static RenderReactor* start(CallContext&, grpc::CallbackServerContext*, const v1::RenderRequest&);
-
-  RenderReactor(CallContext&, grpc::CallbackServerContext*);
-
   // Of gRPC.
   void OnWriteDone(bool ok) override;
   void OnCancel() override;
   void OnDone() override;
 
+ protected:
+  RenderReactor(CallContext&, grpc::CallbackServerContext*, std::string rpc);
+
+  // What a request asks of the renderer, once its scene is there.
+  struct Work {
+    Event accepted;  // what the request settles of it
+    std::uint64_t outputBytes = 0;
+    std::move_only_function<Result<void>(Renderer&, const Interrupt&)> run;
+  };
+  using Prepare = std::move_only_function<Result<Work>(const LoadedScene&)>;
+
+  // Owned by the call until gRPC is done with it, and by the work while it runs. One of these follows, once.
+  void own(std::shared_ptr<RenderReactor> self) { self_ = std::move(self); }
+  void begin(std::string subject, std::string scene, Prepare);
+  void refuse(Error why) { end(std::unexpected(std::move(why))); }
+
   // Of the rendering thread.
-  void onPlan(std::size_t method, const std::vector<PlanView>&) override;
-  void onImage(std::size_t method, Image) override;
-  void onResult(std::size_t method, MethodResult) override;
+  void push(Event event) { pushItem(std::move(event)); }
+  void push(Event begin, std::vector<std::byte> image) {
+    pushItem(Outgoing{std::move(begin), std::move(image)});
+  }
+
+  const RequestLimits& limits() const { return context_.limits.request; }
 
  private:
   struct Outgoing {  // an image, sent as begin, chunks and end
-    std::uint32_t method;
-    Image image;
+    Event beginning;
+    std::vector<std::byte> bytes;
     enum class Next { begin, chunk, end } next = Next::begin;
     std::size_t offset = 0;
     std::uint32_t checksum = 0;
   };
-  using Item = std::variant<v1::RenderEvent, Outgoing>;
+  using Item = std::variant<Event, Outgoing>;
 
-  void begin(const v1::RenderRequest&);
-  void onScene(RenderSpec, Result<LoadedScene>);
-  void render(const RenderJob&, Renderer&, const Interrupt&);
-  void push(Item);
+  void onScene(Prepare, Result<LoadedScene>);
+  void render(Work&, Renderer&, const Interrupt&);
+  void pushItem(Item);
   void giveUp(Error);      // stops the work and ends the call
   void end(Result<void>);  // ends the call once all events are sent, or at once with an error
   void pump();             // sends the next event, or the status
@@ -68,11 +85,14 @@ class RenderReactor final : public grpc::ServerWriteReactor<v1::RenderEvent>,
   std::stop_source stopLoading_;
   std::optional<RenderQueue::Ticket> ticket_;  // set once, at the beginning
   std::deque<Item> items_;
-  v1::RenderEvent event_;  // being written
+  Event event_;  // being written
   bool writing_ = false, cancelling_ = false, finished_ = false;
   std::optional<grpc::Status> status_;
   std::chrono::steady_clock::time_point writeBegan_;
   std::optional<Timer::Id> alarm_;
 };
+
+extern template class RenderReactor<v1::RenderEvent>;
+extern template class RenderReactor<v1::StabilityEvent>;
 
 }  // namespace sundial

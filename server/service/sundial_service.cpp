@@ -2,9 +2,11 @@
 
 #include <fmt/format.h>
 
-#include "service/render_reactor.h"
+#include "service/render_call.h"
+#include "service/stability_call.h"
 #include "service/status.h"
 #include "service/upload_reactor.h"
+#include "stability/cases.h"
 
 #ifndef SUNDIAL_VERSION
 #error "the build defines SUNDIAL_VERSION"
@@ -114,7 +116,19 @@ grpc::ServerReadReactor<v1::UploadSceneRequest>* SundialService::UploadScene(
 
 grpc::ServerWriteReactor<v1::RenderEvent>* SundialService::Render(grpc::CallbackServerContext* context,
                                                                   const v1::RenderRequest* request) {
-  return RenderReactor::start(context_, context, *request);
+  return RenderCall::start(context_, context, *request);
+}
+
+grpc::ServerWriteReactor<v1::StabilityEvent>* SundialService::Stability(grpc::CallbackServerContext* context,
+                                                                        const v1::StabilityRequest* request) {
+  return StabilityCall::start(context_, context, *request);
+}
+
+grpc::ServerUnaryReactor* SundialService::ListStabilityCases(grpc::CallbackServerContext* context,
+                                                             const v1::ListStabilityCasesRequest*,
+                                                             v1::ListStabilityCasesResponse* answer) {
+  for (const StabilityCase& row : stabilityCases()) toProto(row, answer->add_cases());
+  return (new UnaryCall(context_, context, "ListStabilityCases"))->finish({});
 }
 
 }  // namespace sundial

@@ -24,6 +24,11 @@ class SundialService final : public v1::Sundial::CallbackService {
                                                                v1::SceneInfo*) override;
   grpc::ServerWriteReactor<v1::RenderEvent>* Render(grpc::CallbackServerContext*,
                                                     const v1::RenderRequest*) override;
+  grpc::ServerWriteReactor<v1::StabilityEvent>* Stability(grpc::CallbackServerContext*,
+                                                          const v1::StabilityRequest*) override;
+  grpc::ServerUnaryReactor* ListStabilityCases(grpc::CallbackServerContext*,
+                                               const v1::ListStabilityCasesRequest*,
+                                               v1::ListStabilityCasesResponse*) override;
 
  private:
   CallContext& context_;

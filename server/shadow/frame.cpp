@@ -58,28 +58,39 @@ Frame::Frame(const FrameView& view, const Method& method)
       nearest_(makeSampler(view.device, VK_FILTER_NEAREST)),
       bindings_(view.device, view.pipelines.layout) {
   *constants_.mapped<shared::FrameConstants>() = constantsOf(view, method, shadowViews_);
-  view.scene.bindTo(bindings_);
-  view.target.bindTo(bindings_);
-  bindings_.set(shared::kBindFrame, constants_);
-  bindings_.set(shared::kBindAnalysis, analysis_);
-  bindings_.set(shared::kBindPlan, plan_);
-  bindings_.set(shared::kBindCommands, commands_);
-  bindings_.set(shared::kBindVisible, visible_);
-  bindings_.set(shared::kBindCounts, counts_);
   if (method.stages) {
     const VkExtent2D extent{method.settings.width, method.settings.height};
     map_.emplace(view.device, extent, VK_FORMAT_D32_SFLOAT,
                  VK_IMAGE_USAGE_DEPTH_STENCIL_ATTACHMENT_BIT | VK_IMAGE_USAGE_SAMPLED_BIT);
-    bindings_.set(shared::kBindStore, *map_, nearest_);
     view.device.submit([&](VkCommandBuffer command) {
       transition(command, *map_, VK_IMAGE_LAYOUT_UNDEFINED, VK_IMAGE_LAYOUT_SHADER_READ_ONLY_OPTIMAL);
     });
   } else {
-    bindings_.set(shared::kBindStore, view.target.visibility, nearest_);  // unread, but see BindingSet
     hostPositions_.emplace(view.device, pixels(view) * sizeof(glm::uvec4), 0, MemoryUse::readback);
     hostNormals_.emplace(view.device, pixels(view) * sizeof(glm::uvec4), 0, MemoryUse::readback);
     hostVisibility_.emplace(view.device, pixels(view) * sizeof(float), 0, MemoryUse::upload);
   }
+  bindTo(bindings_, view.target);
+}
+
+void Frame::bindTo(BindingSet& bindings, const ViewTarget& samples) const {
+  view_.scene.bindTo(bindings);
+  samples.bindTo(bindings);
+  bindings.set(shared::kBindFrame, constants_);
+  bindings.set(shared::kBindAnalysis, analysis_);
+  bindings.set(shared::kBindPlan, plan_);
+  bindings.set(shared::kBindCommands, commands_);
+  bindings.set(shared::kBindVisible, visible_);
+  bindings.set(shared::kBindCounts, counts_);
+  // Without a map it is unread, but see BindingSet.
+  bindings.set(shared::kBindStore, map_ ? *map_ : samples.visibility, nearest_);
+}
+
+void Frame::look(const FrameView& view) {
+  view_.light = view.light;
+  view_.origin = view.origin;
+  view_.constants = view.constants;
+  *constants_.mapped<shared::FrameConstants>() = constantsOf(view, method_, shadowViews_);
 }
 
 std::vector<Pass> Frame::passes() const {
@@ -162,9 +173,18 @@ void Frame::store(VkCommandBuffer command) const {
 }
 
 // How lit each view sample is.
-void Frame::resolve(VkCommandBuffer command) const {
-  bindings_.bind(command);
-  renderInto(command, {&view_.target.visibility}, nullptr, [&] {
+void Frame::resolve(VkCommandBuffer command) const { recordLookup(command, view_.target, bindings_); }
+
+BindingSet Frame::bindingsAt(const ViewTarget& points) const {
+  BindingSet bindings(view_.device, view_.pipelines.layout);
+  bindTo(bindings, points);
+  return bindings;
+}
+
+void Frame::recordLookup(VkCommandBuffer command, const ViewTarget& points,
+                         const BindingSet& bindings) const {
+  bindings.bind(command);
+  renderInto(command, {&points.visibility}, nullptr, [&] {
     vkCmdBindPipeline(command, VK_PIPELINE_BIND_POINT_GRAPHICS,
                       view_.pipelines.resolve.at(method_.stages->lookup));
     vkCmdDraw(command, 3, 1, 0, 0);

@@ -41,6 +41,12 @@ class Frame {
 
   // In the order of execution.
   std::vector<Pass> passes() const;
+  // The same frame from elsewhere, in other light: a view of the same scene, size and target.
+  void look(const FrameView&);
+  // The lookup at other samples than the view's, for methods with a map, after the passes up to `store`:
+  // `points` holds the samples and gets their visibility. `bindings` are bindingsAt(points).
+  BindingSet bindingsAt(const ViewTarget& points) const;
+  void recordLookup(VkCommandBuffer, const ViewTarget& points, const BindingSet& bindings) const;
   // What answered each sample, into the target's `answers`; for methods with a map, after the passes.
   void recordAnswers(VkCommandBuffer) const;
 
@@ -61,6 +67,7 @@ class Frame {
   void trace() const;
   void takeVisibility(VkCommandBuffer) const;
 
+  void bindTo(BindingSet&, const ViewTarget& samples) const;
   void drawSlot(VkCommandBuffer, std::uint32_t slot, VkPipeline opaque, VkPipeline masked,
                 bool cullFaces) const;
   void push(VkCommandBuffer, std::uint32_t) const;

@@ -2,6 +2,7 @@
 // rendering in the middle without sleeping.
 #pragma once
 
+#include <algorithm>
 #include <atomic>
 #include <condition_variable>
 #include <functional>
@@ -9,6 +10,7 @@
 #include <vector>
 
 #include "renderer.h"
+#include "stability/flips.h"
 
 namespace sundial::test {
 
@@ -133,6 +135,34 @@ class FakeRenderer final : public Renderer {
       result.passes = {{"store", {4, 5, 6}, {{"vertices", 7}}}};
       result.plan = {view};
       sink.onResult(m, std::move(result));
+    }
+    ++state_->jobsDone;
+    return {};
+  }
+
+  // One gate a frame of each method; every second point of ten flips in the last frame.
+  Result<void> runStability(const StabilityJob& job, const Interrupt& interrupt,
+                            StabilitySink& sink) override {
+    ++state_->jobsBegun;
+    for (std::size_t m = 0; m < job.methods.size(); ++m) {
+      std::vector<StabilityFrame> frames;
+      for (unsigned f = 0; f < job.views.size(); ++f) {
+        state_->gate.arrive();
+        if (auto raised = interrupt.raised()) return std::unexpected(std::move(*raised));
+        ++state_->passesRun;
+        frames.push_back(
+            {.frame = f, .pairs = f == 0 ? 0u : 10u, .flips = f + 1 == job.views.size() ? 5u : 0u});
+        sink.onFrame(m, frames.back());
+      }
+      for (unsigned p = 0; p < std::min<std::size_t>(job.pictures, job.views.size()); ++p) {
+        Image image = fakeImage(m, Aov::colour, job.size);
+        sink.onPicture(
+            m, {.frame = p, .size = job.size, .colour = std::move(image.bytes), .flipped = {{{1, 2}, true}}});
+      }
+      StabilityResult result = summed(std::move(frames));
+      result.method = job.methods[m];
+      result.points = 10;
+      sink.onStability(m, std::move(result));
     }
     ++state_->jobsDone;
     return {};

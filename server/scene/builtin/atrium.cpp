@@ -322,6 +322,16 @@ void makeAtrium(SceneBuilder& builder, const Values&) {
        {view("", {-10, 7.1, -5.2}, {0, 4, 0}, 60).view, view("", {0, 7.1, -5.2}, {4, 3, 1}, 60).view,
         view("", {10, 7.1, -5.2}, {4, 3, 1}, 60).view},
        180});
+  // From a wall a few steps away along it into the court: the turn itself takes two frames.
+  const View wall = view("", {2, 3, -1.2}, {2, 3, -4.1}, 60).view;
+  const View court = view("", {2, 3, -1.2}, {0, 3, -4.1}, 60).view;
+  builder.addPath({"turn", {wall, wall, court, court}, 7});
+  builder.addPath({"pan",
+                   {view("", {-10.5, 1.7, 0.5}, {2, 2.5, -2.0}, 60).view,
+                    view("", {-10.5, 1.7, 0.5}, {2, 2.5, -0.5}, 60).view},
+                   60});
+  builder.addLightPath(
+      {"day", {sun("", 15, 0.02).light, sun("", 80, 0.2).light, sun("", 15, 0.45).light}, 120});
 }
 
 }  // namespace

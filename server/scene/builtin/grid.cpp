@@ -14,20 +14,29 @@ namespace {
 constexpr double kPitch = 2, kSide = 1, kLowest = 0.5, kStep = 0.25;
 constexpr unsigned kHeights = 8;
 
-constexpr std::array<Parameter, 1> kParameters{{{"n", 1, 64, 10, "plates along each side"}}};
+constexpr std::array<Parameter, 3> kParameters{
+    {{"n", 0, 64, 10, "plates along each side"},
+     {"ground", 0, 1, 1, "whether there is ground: without it and plates the scene is empty"},
+     {"offset_km", 0, 10'000, 0, "how far everything lies from the origin along x and along z"}}};
 
 // Neighbours differ in height, and no two rows repeat each other.
 unsigned level(unsigned i, unsigned j) { return (3 * i + 5 * j) % kHeights; }
+
+// From the lowest sun to noon and down again on the other side.
+std::vector<Light> daylight() {
+  return {sun("", 10, 0.02).light, sun("", 70, 0.2).light, sun("", 10, 0.45).light};
+}
 
 void makeGrid(SceneBuilder& builder, const Values& values) {
   const auto n = static_cast<unsigned>(values[0]);
   const double half = gridGroundHalf(n), reach = n * kPitch / 2;
 
+  const glm::dvec3 offset = glm::dvec3(1, 0, 1) * (1000.0 * static_cast<double>(values[2]));
+  const glm::dmat4 place = translation(offset);
+
   const std::uint32_t ground = addColour(builder, "ground", {0.62f, 0.6f, 0.56f}, true);
   const std::array<std::uint32_t, 2> paint{addColour(builder, "low plates", {0.1f, 0.32f, 0.55f}, true),
                                            addColour(builder, "high plates", {0.75f, 0.36f, 0.08f}, true)};
-  Shape floor;
-  floor.quad({-half, 0, half}, {half, 0, half}, {half, 0, -half}, {-half, 0, -half});
   std::array<Shape, 2> plates;
   for (const Plate& plate : gridPlates(n)) {
     const auto& [min, max] = plate.area;
@@ -38,25 +47,39 @@ void makeGrid(SceneBuilder& builder, const Values& values) {
   std::vector<Primitive> primitives;
   for (std::size_t i = 0; i < paint.size(); ++i)
     if (plates[i].triangles() > 0) primitives.push_back(std::move(plates[i]).take(paint[i]));
-  std::vector<Primitive> floorPrimitives;
-  floorPrimitives.push_back(std::move(floor).take(ground));
-  builder.addInstance("ground", builder.addMesh("ground", std::move(floorPrimitives)), glm::dmat4(1));
-  builder.addInstance("plates", builder.addMesh("plates", std::move(primitives)), glm::dmat4(1));
+  if (values[1] != 0) {
+    Shape floor;
+    floor.quad({-half, 0, half}, {half, 0, half}, {half, 0, -half}, {-half, 0, -half});
+    std::vector<Primitive> floorPrimitives;
+    floorPrimitives.push_back(std::move(floor).take(ground));
+    builder.addInstance("ground", builder.addMesh("ground", std::move(floorPrimitives)), place);
+  }
+  if (!primitives.empty())
+    builder.addInstance("plates", builder.addMesh("plates", std::move(primitives)), place);
 
-  builder.addView(view("main", {reach * 1.1, reach * 0.9, reach * 1.3}, {0, 0, 0}, 45));
-  builder.addView(view("top", {0.01, reach * 2.4, 0}, {0, 0, 0}, 50));
-  builder.addView(view("low", {-reach * 1.15, 1.6, -reach * 0.9}, {0, 0.4, 0}, 50));
-  builder.addView(view("close", {2.6, 1.5, 3.4}, {0.5, 0, 0.5}, 50));
+  // Without plates they still look somewhere.
+  const double far = std::max(reach, 1.0);
+  const auto placed = [&](const char* name, const glm::dvec3& eye, const glm::dvec3& target, double fov) {
+    return view(name, eye + offset, target + offset, fov);
+  };
+  builder.addView(placed("main", {far * 1.1, far * 0.9, far * 1.3}, {0, 0, 0}, 45));
+  builder.addView(placed("top", {0.01, far * 2.4, 0}, {0, 0, 0}, 50));
+  builder.addView(placed("low", {-far * 1.15, 1.6, -far * 0.9}, {0, 0.4, 0}, 50));
+  builder.addView(placed("close", {2.6, 1.5, 3.4}, {0.5, 0, 0.5}, 50));
+  builder.addView(placed("sky", {0, 4, 0}, {0.5, 9, 0.5}, 60));
+  builder.addView(placed("shadows", {0, 0.45, 0}, {0.1, 0, 0.07}, 90));
   builder.addLight(sun("sun", 50, 0.1));
   builder.addLight(sun("low", 5, 0.07));
   builder.addLight(sun("noon", 85, 0.3));
-  builder.addLight(spot("spot", {1.5, 9, 2.5}, {0, 0, 0}, 100));
-  builder.addLight({"lamp", {.kind = LightKind::point, .position = {1.5, 5, -0.75}}});
+  builder.addLight(sun("horizon", 1, 0.07));
+  builder.addLight(spot("spot", glm::dvec3(1.5, 9, 2.5) + offset, offset, 100));
+  builder.addLight({"lamp", {.kind = LightKind::point, .position = glm::dvec3(1.5, 5, -0.75) + offset}});
   builder.addPath({"orbit",
-                   {view("", {reach * 1.3, reach * 0.7, 0}, {0, 0, 0}, 45).view,
-                    view("", {0, reach * 0.7, reach * 1.3}, {0, 0, 0}, 45).view,
-                    view("", {-reach * 1.3, reach * 0.7, 0}, {0, 0, 0}, 45).view},
+                   {placed("", {far * 1.3, far * 0.7, 0}, {0, 0, 0}, 45).view,
+                    placed("", {0, far * 0.7, far * 1.3}, {0, 0, 0}, 45).view,
+                    placed("", {-far * 1.3, far * 0.7, 0}, {0, 0, 0}, 45).view},
                    120});
+  builder.addLightPath({"day", daylight(), 120});
 }
 
 }  // namespace

@@ -22,8 +22,9 @@ struct Plate {
   double height = 0;  // y
 };
 
-// The plates of `grid?n=`, n x n of them, 1 m wide and 2 m apart, 0.5 to 2.25 m high; all coordinates are
-// exact in single precision. The ground is y = 0, a square of gridGroundHalf(n) each way around the origin.
+// The plates of `grid?n=` near the origin (offset_km moves them), n x n of them, 1 m wide and 2 m apart, 0.5
+// to 2.25 m high; all coordinates are exact in single precision. The ground is y = 0, a square of
+// gridGroundHalf(n) each way around the origin.
 std::vector<Plate> gridPlates(unsigned n);
 double gridGroundHalf(unsigned n);
 

@@ -1,0 +1,97 @@
+#include "stability/cases.h"
+
+#include <array>
+
+namespace sundial {
+
+std::span<const StabilityCase> stabilityCases() {
+  static constexpr std::array kRows = {
+      StabilityCase{.name = "sm-close-up",
+                    .sentence = "One map of the whole scene, seen from near: its texels cover many pixels.",
+                    .scene = "builtin:grid?n=40",
+                    .view = "shadows",
+                    .light = "sun",
+                    .methods = "sm,texels=512 dv,texels=512",
+                    .measure = "wrong_rate",
+                    .failsAbove = 0.01},
+      StabilityCase{
+          .name = "sm-grazing",
+          .sentence = "Light grazes the ground: a texel of a far-away map becomes a long streak on it.",
+          .scene = "builtin:grid?n=40",
+          .view = "shadows",
+          .light = "low",
+          .methods = "sm,texels=512 dv,texels=512",
+          .measure = "wrong_rate",
+          .failsAbove = 0.01},
+      StabilityCase{.name = "dv-turn",
+                    .sentence =
+                        "The camera turns from a wall to open space within two frames: the map around "
+                        "what it sees jumps in size, and edges pop.",
+                    .scene = "builtin:atrium",
+                    .path = "turn",
+                    .light = "sun",
+                    .methods = "dv,texels=512 sm,texels=512",
+                    .measure = "pop",
+                    .failsAbove = 0.005},
+      StabilityCase{.name = "dv-pan",
+                    .sentence = "A slow pan: the map around what the camera sees changes a little in every "
+                                "frame, and edges shimmer.",
+                    .scene = "builtin:atrium",
+                    .path = "pan",
+                    .light = "sun",
+                    .methods = "dv,texels=1024 sm,texels=1024",
+                    .measure = "flip_rate",
+                    .failsAbove = 0.0005},
+      StabilityCase{.name = "far-from-origin",
+                    .sentence =
+                        "The scene lies 140 km from the origin, where single precision is 16 mm coarse: "
+                        "errors are as small as near the origin.",
+                    .scene = "builtin:grid?offset_km=100",
+                    .path = "orbit",
+                    .light = "sun",
+                    .methods = "sm dv ray-traced",
+                    .measure = "wrong_rate",
+                    .atMost = 0.001,
+                    .twinScene = "builtin:grid",
+                    .frames = 8},
+      StabilityCase{.name = "light-at-horizon",
+                    .sentence = "The sun stands 1 degree above the horizon: shadows are 57 times as long as "
+                                "what casts them is high.",
+                    .scene = "builtin:grid",
+                    .view = "main",
+                    .light = "horizon",
+                    .methods = "sm dv ray-traced",
+                    .measure = "wrong_rate",
+                    .atMost = 0.05},
+      StabilityCase{.name = "no-receiver",
+                    .sentence = "The camera looks at the sky: there is nothing that a map could be made for.",
+                    .scene = "builtin:grid",
+                    .view = "sky",
+                    .light = "sun",
+                    .methods = "sm dv ray-traced",
+                    .measure = "wrong_rate",
+                    .atMost = 0},
+      StabilityCase{.name = "caster-behind-near",
+                    .sentence =
+                        "Only shadows are in view; what casts them lies before the near plane of a map "
+                        "around what the camera sees, and must cast all the same.",
+                    .scene = "builtin:grid",
+                    .view = "shadows",
+                    .light = "sun",
+                    .methods = "dv sm ray-traced",
+                    .measure = "wrong_rate",
+                    .atMost = 0.01},
+      StabilityCase{.name = "empty-scene",
+                    .sentence = "A scene without a triangle.",
+                    .scene = "builtin:grid?n=0&ground=0",
+                    .path = "orbit",
+                    .light = "sun",
+                    .methods = "sm dv ray-traced",
+                    .measure = "wrong_rate",
+                    .atMost = 0,
+                    .frames = 4},
+  };
+  return kRows;
+}
+
+}  // namespace sundial

@@ -44,7 +44,11 @@ start() {
   shift
   "$@" "$bin/sundiald" --listen "${addresses[$index]}" 2>>"$work/server$index.log" &
   pids[$index]=$!
+  until "$bin/sundial" --server "${addresses[$index]}" scenes >/dev/null 2>&1; do
+    kill -0 "${pids[$index]}"  # or it will never answer
+  done
 }
+lines() { wc -l 2>/dev/null <"$1" || echo 0; }
 sweep() {  # SERVERS RESULTS [OPTION...]
   "$bin/sundial" --server "$1" sweep "$spec" -o "$2" "${@:3}"
 }
@@ -86,7 +90,7 @@ check_kill() {
 
   # Moments are such that all fall into the sweep, which the killing makes longer.
   local longest killed=0
-  longest=$(jq -n "$whole / 7")
+  longest=$(jq -n "$whole / 10")
   echo "${pids[1]}" >"$work/victim"
   pids[1]=""  # it is the killer's now
   (
@@ -104,6 +108,9 @@ check_kill() {
     # Not by sweep(): what is killed must be the client, and not a shell that waits for it.
     "$bin/sundial" --server "$both" sweep "$spec" -o "$work/broken.jsonl" --resume --quiet &
     client=$!
+    local before
+    before=$(lines "$work/broken.jsonl")
+    while [ "$(lines "$work/broken.jsonl")" -le "$before" ] && kill -0 $client 2>/dev/null; do sleep 0.02; done
     sleep "$(random_part "$longest")"
     ! kill -9 $client 2>/dev/null || killed=$((killed + 1))
     wait $client 2>/dev/null || true

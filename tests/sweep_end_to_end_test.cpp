@@ -119,5 +119,20 @@ TEST(SweepEndToEnd, KillingAServerAndTheClientChangesNothing) {
   EXPECT_EQ(withoutTimes(results), whole);
 }
 
+// No two frame times are alike, so this target is never met, and a wide one always is.
+TEST(SweepEndToEnd, NoiseIsAnsweredWithRepetitionsUpToTheLimit) {
+  const TemporaryFolder folder;
+  const std::string spec = (folder.path() / "spec").string(), results = (folder.path() / "r").string();
+  for (const auto& [target, taken] : {std::pair{"1e-12", 5}, {"1e6", 2}, {"0", 2}}) {
+    fs::remove(results);
+    std::ofstream(spec)
+        << "repetitions: 2 max_repetitions: 5 quartile_target: " << target
+        << R"( group { scene: "builtin:grid" size { width: 64 height: 64 } method { name: "sm" } })";
+    const Outcome outcome = sundial({"sweep", spec, "-o", results});
+    ASSERT_EQ(outcome.status, 0) << outcome.err;
+    EXPECT_EQ(nlohmann::json::parse(contents(results))["repetitions"], taken) << target;
+  }
+}
+
 }  // namespace
 }  // namespace sundial::test

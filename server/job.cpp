@@ -147,14 +147,28 @@ struct Series {
   std::vector<double> ratios;  // frame time over the baseline's, pair by pair
 };
 
+// Are the quartiles of what is asked for close enough?
+bool settled(const Series& series, double target) {
+  std::vector<double> values = series.ratios;
+  if (values.empty())
+    for (const FrameTiming& timing : series.frames) values.push_back(timing.frameMs);
+  const Quartiles q = quartilesOf(std::move(values));
+  return q.upper - q.lower <= target * q.median;
+}
+
 Result<Series> timeFrames(const Device& device, const Frame& frame, const Frame* baseline,
-                          unsigned repetitions, const Interrupt& interrupt) {
+                          const RenderJob& job, const Interrupt& interrupt) {
+  // Noise is answered with more rounds, within bounds; a job without timed frames asks for none.
+  const auto wantsAnother = [&](const Series& series) {
+    if (series.frames.size() < std::max(job.repetitions, 1u)) return true;
+    return job.repetitions > 0 && job.quartileTarget > 0 && series.frames.size() < job.maxRepetitions &&
+           !settled(series, job.quartileTarget);
+  };
   const auto passes = frame.passes();
   const auto basePasses = baseline ? baseline->passes() : std::vector<Pass>{};
   Series series;
   // A round before the first is the warm-up: it isn't kept when there are others.
-  for (unsigned round = 0; round <= repetitions; ++round) {
-    const bool kept = repetitions == 0 || round > 0;
+  for (bool kept = job.repetitions == 0; wantsAnother(series); kept = true) {
     double baseMs = 0;
     if (baseline) {
       auto timing = runFrame(device, basePasses, interrupt);
@@ -232,8 +246,7 @@ Result<void> runJob(const JobContext& context, const RenderJob& job, const Inter
   for (std::size_t i = 0; i < job.methods.size(); ++i) {
     const Method& method = job.methods[i];
     const Frame frame(view, method);
-    auto series =
-        timeFrames(context.device, frame, baseline ? &*baseline : nullptr, job.repetitions, interrupt);
+    auto series = timeFrames(context.device, frame, baseline ? &*baseline : nullptr, job, interrupt);
     if (!series) return std::unexpected(series.error());
 
     const bool samplesWanted = traceTruth || wants(job, Aov::position) || wants(job, Aov::normal) ||
@@ -252,6 +265,7 @@ Result<void> runJob(const JobContext& context, const RenderJob& job, const Inter
     std::vector<double> frameMs;
     for (const FrameTiming& timing : series->frames) frameMs.push_back(timing.frameMs);
     result.frameMs = quartilesOf(std::move(frameMs));
+    result.repetitions = job.repetitions == 0 ? 0 : static_cast<unsigned>(series->frames.size());
     if (!series->ratios.empty()) result.ratio = quartilesOf(std::move(series->ratios));
     result.passes = passTimings(frame.passes(), series->frames);
     if (job.measures) result.measures = measured(context, job, *truth, frame, view, answers);

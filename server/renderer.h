@@ -58,8 +58,10 @@ struct RenderJob {
   std::vector<Method> methods;     // at least one
   std::optional<Method> baseline;  // timed in turn with every method, run by run
   unsigned repetitions = 0;        // timed frames of each method after a warm-up; 0: one frame, not warmed up
-  std::vector<Aov> images;         // for every method
-  bool measures = false;           // traces the reference once and measures every method against it
+  unsigned maxRepetitions = 0;  // more are timed, up to so many, while the quartiles of the ratio (without a
+  double quartileTarget = 0;  // baseline: of the frame time) are farther apart than this share of its median
+  std::vector<Aov> images;    // for every method
+  bool measures = false;      // traces the reference once and measures every method against it
 };
 
 // Pipeline statistics; they repeat exactly.
@@ -86,6 +88,7 @@ struct PlanView {
 
 struct MethodResult {
   Method method;
+  unsigned repetitions = 0;        // timed frames
   Quartiles frameMs;               // the clock around submit and fence
   std::optional<Quartiles> ratio;  // frame time over the baseline's, pair by pair
   std::optional<Measures> measures;
@@ -107,9 +110,9 @@ class JobSink {
 // Owns a device. All calls from one thread; the class may be created on another.
 class Renderer {
  public:
-  // `device`: empty (the first GPU, or else a CPU driver), an index, or a part of a name.
+  // `wanted`: empty (the first GPU, or else a CPU driver), an index, or a part of a name.
   // Errors: notFound lists the devices that there are; failedPrecondition names the feature that one lacks.
-  static Result<std::unique_ptr<Renderer>> create(std::string_view device, bool validation);
+  static Result<std::unique_ptr<Renderer>> create(std::string_view wanted, bool validation);
   static Result<std::vector<DeviceInfo>> devices();
 
   virtual ~Renderer() = default;

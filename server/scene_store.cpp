@@ -63,7 +63,8 @@ bool SceneStore::Held::pinned() const {
   return std::ranges::any_of(names, [](const auto& name) { return name.second; });
 }
 
-void SceneStore::load(const std::string& reference, bool pinned, std::stop_token stop, Callback callback) {
+void SceneStore::load(const std::string& reference, bool pinned, const std::stop_token& stop,
+                      Callback callback) {
   if (std::ranges::any_of(reference, [](unsigned char c) { return c < 0x20 || c == 0x7f; })) {
     return callback(invalid("scene: the reference holds a control character"));
   }
@@ -99,7 +100,7 @@ void SceneStore::load(const std::string& reference, bool pinned, std::stop_token
   if (!posted) (*shared)(tooMany());
 }
 
-void SceneStore::upload(SceneFiles files, std::stop_token stop, Callback callback) {
+void SceneStore::upload(SceneFiles files, const std::stop_token& stop, Callback callback) {
   auto shared = std::make_shared<SceneFiles>(std::move(files));
   auto job = [this, shared, stop]() -> Result<LoadedScene> {
     const std::string digest = digestOf(*shared);
@@ -252,7 +253,7 @@ Result<void> SceneStore::unload(const std::string& reference) {
 }
 
 // Runs `job` on a worker and hands its answer to `callback`.
-void SceneStore::post(Worker& worker, std::stop_token stop, Callback callback,
+void SceneStore::post(Worker& worker, const std::stop_token& stop, Callback callback,
                       std::function<Result<LoadedScene>()> job) {
   auto shared = std::make_shared<Callback>(std::move(callback));
   const bool posted = worker.post([=](bool stopped) {

@@ -61,11 +61,11 @@ class SceneStore {
   // that `stop` has ended before it began isn't begun; one that has begun is kept, since the work is done.
   // Errors: notFound, invalidArgument, dataLoss, as the source gives them; resourceExhausted over a limit, or
   // when pinned scenes leave no room; cancelled; unavailable after stop().
-  void load(const std::string& reference, bool pinned, std::stop_token stop, Callback);
+  void load(const std::string& reference, bool pinned, const std::stop_token& stop, Callback);
 
   // Parses files and holds the scene as "digest:HEX". Otherwise as load(), but nothing is kept of an upload
   // that `stop` ends meanwhile.
-  void upload(SceneFiles, std::stop_token stop, Callback);
+  void upload(SceneFiles, const std::stop_token& stop, Callback);
 
   // Lets go of a name, and of the scene with its last name; by digest, of the scene. Whoever uses the scene
   // keeps it until done. Errors: notFound, naming what is loaded.
@@ -100,7 +100,7 @@ class SceneStore {
                            const std::stop_token&);
   bool takeName(const std::string& reference, const std::string& digest);
   Result<void> makeRoom(std::uint64_t bytes);
-  void post(Worker&, std::stop_token, Callback, std::function<Result<LoadedScene>()>);
+  void post(Worker&, const std::stop_token&, Callback, std::function<Result<LoadedScene>()>);
   std::vector<SceneListing> listing();
 
   const SceneSource source_;

@@ -17,14 +17,16 @@ void main() {
       low[axis] = floatFromOrdered(analysis.lsBoundsMin[axis]);
       high[axis] = floatFromOrdered(analysis.lsBoundsMax[axis]);
     }
+    // Up to the scene's nearest caster: one before the near plane would be clamped to depth 1, and a receiver that bias
+    // or its own slope carries there would pass for lit.
+    high.z = max(high.z, frame.lsBoundsMax.z);
   }
   if (empty) {
     low = vec3(-1);
     high = vec3(1);
   }
 
-  // A texel of border, so that a sample on the rim has a whole texel; some depth, so that a flat volume has any
-  // and that no receiver lies at depth 1, where casters before the near plane are clamped to.
+  // A texel of border, so that a sample on the rim has a whole texel; some depth, so that a flat volume has any.
   const vec2 size = vec2(frame.storeSize);
   const vec3 centre = 0.5 * (low + high);
   vec3 half_ = max(0.5 * (high - low), 1e-6 * max(max(abs(centre.x), abs(centre.y)), abs(centre.z)) + 1e-30);
@@ -52,4 +54,5 @@ void main() {
   plan.views[0].sampleCount = 0;
   plan.views[0].importance = 0;
   plan.views[0].empty = empty ? 1 : 0;
+  plan.views[0].padding = 0;
 }

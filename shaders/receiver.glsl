@@ -38,8 +38,11 @@ Receiver receiverIn(uint view, ViewSample s) {
 // The receiver's depth at the centre of a texel.
 float depthAt(Receiver r, ivec2 texel) { return r.depth + dot(r.depthPerTexel, vec2(texel) + 0.5 - r.texel); }
 
-// 1 if nothing in this texel is nearer to the light than the receiver.
-float litBy(Receiver r, ivec2 texel) { return depthAt(r, texel) >= texelFetch(store, texel, 0).r ? 1.0 : 0.0; }
+// 1 if nothing in this texel is nearer to the light than the receiver. A receiver that ends within the texel may have
+// its plane reach past the far plane there: nothing that a map holds is farther.
+float litBy(Receiver r, ivec2 texel) {
+  return max(depthAt(r, texel), 0) >= texelFetch(store, texel, 0).r ? 1.0 : 0.0;
+}
 
 // The plan's most views: a constant, so that a plan of one is read at a constant place, which is cheap everywhere.
 layout(constant_id = 0) const uint kPlanViews = 1;

@@ -160,6 +160,7 @@ TEST_F(EndToEndTest, refusesParametersThatAreNotThere) {
 }
 
 TEST_F(EndToEndTest, refusesAPortInUse) {
+  ASSERT_EQ((*server)(render("builtin:grid", "ok.png")).status, 0);  // so that the first one listens
   Process second(SUNDIALD, {"--listen", server->address});
   const Outcome outcome = second.wait();
   EXPECT_EQ(outcome.status, 1);

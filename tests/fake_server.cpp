@@ -9,6 +9,7 @@
 #include <span>
 #include <stdexcept>
 
+#include "sundial/content_digest.h"
 #include "sundial/crc32c.h"
 #include "synthetic_scene.h"
 
@@ -48,6 +49,17 @@ grpc::Status FakeServer::misbehave(grpc::ServerContext& context) {
   return refusal;
 }
 
+void FakeServer::forget() {
+  const std::lock_guard lock(mutex_);
+  digests_.clear();
+}
+
+// A scene by its digest must have come first; all others are the one that there is.
+bool FakeServer::knows(const std::string& scene) {
+  const std::lock_guard lock(mutex_);
+  return !scene.starts_with("digest:") || digests_.contains(scene.substr(7));
+}
+
 grpc::Status FakeServer::ListMethods(grpc::ServerContext*, const v1::ListMethodsRequest*,
                                      v1::ListMethodsResponse* response) {
   v1::Method& sm = *response->add_methods();
@@ -83,6 +95,13 @@ grpc::Status FakeServer::ListScenes(grpc::ServerContext*, const v1::ListScenesRe
   scene.set_reference("builtin:discs");
   scene.set_description("discs above a plane");
   scene.add_views("default");
+  const std::lock_guard lock(mutex_);
+  for (const std::string& digest : digests_) {
+    v1::SceneInfo& uploaded = *response->add_scenes();
+    uploaded.set_reference("digest:" + digest);
+    uploaded.set_digest(digest);
+    uploaded.set_loaded(true);
+  }
   return grpc::Status::OK;
 }
 
@@ -99,6 +118,7 @@ grpc::Status FakeServer::LoadScene(grpc::ServerContext*, const v1::LoadSceneRequ
 grpc::Status FakeServer::UploadScene(grpc::ServerContext* context,
                                      grpc::ServerReader<v1::UploadSceneRequest>* reader,
                                      v1::SceneInfo* info) {
+  ++uploads;
   if (const grpc::Status status = misbehave(*context); !status.ok()) return status;
   uploaded.clear();
   std::string* open = nullptr;
@@ -111,7 +131,18 @@ grpc::Status FakeServer::UploadScene(grpc::ServerContext* context,
     *open += part.chunk();
     largestChunk = std::max(largestChunk, part.chunk().size());
   }
-  info->set_reference("digest:0123");
+  ContentDigest digest;
+  digest.add("files");
+  digest.add(uploaded[uploadedMain]);
+  for (const auto& [name, content] : uploaded) {
+    if (name == uploadedMain) continue;
+    digest.add(name);
+    digest.add(content);
+  }
+  info->set_digest(digest.hexadecimal());
+  info->set_reference("digest:" + info->digest());
+  const std::lock_guard lock(mutex_);
+  digests_.insert(info->digest());
   info->set_loaded(true);
   return grpc::Status::OK;
 }
@@ -124,8 +155,14 @@ grpc::Status FakeServer::UnloadScene(grpc::ServerContext*, const v1::UnloadScene
 grpc::Status FakeServer::Render(grpc::ServerContext* context, const v1::RenderRequest* request,
                                 grpc::ServerWriter<v1::RenderEvent>* writer) {
   ++renderings;
-  lastRequest = *request;
+  {
+    const std::lock_guard lock(mutex_);
+    lastRequest = *request;
+  }
   if (const grpc::Status status = misbehave(*context); !status.ok()) return status;
+  if (const grpc::Status status = judge ? judge(*request) : grpc::Status::OK; !status.ok()) return status;
+  if (!knows(request->scene()))
+    return {grpc::NOT_FOUND, "scene '" + request->scene() + "' isn't loaded: upload it again"};
   constexpr std::size_t kChunkBytes = 256 * 1024;
 
   // False once the stream is to end.
@@ -166,11 +203,12 @@ grpc::Status FakeServer::Render(grpc::ServerContext* context, const v1::RenderRe
     }
     event.mutable_timings()->set_method(method);
     *event.mutable_timings()->mutable_result() = scene.result(request->methods(m));
+    event.mutable_timings()->mutable_result()->set_repetitions(request->repetitions());
     send(event);
   }
   event.mutable_done();
   send(event);
-  return grpc::Status::OK;
+  return going ? grpc::Status::OK : brokenOff;
 }
 
 }  // namespace sundial::test

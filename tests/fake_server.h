@@ -10,6 +10,7 @@
 #include <map>
 #include <memory>
 #include <mutex>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -41,14 +42,17 @@ class FakeServer final : public v1::Sundial::Service {
 
   // How it misbehaves. Set before a call.
   std::function<bool(v1::RenderEvent&)>
-      tamper;                      // changes an event; false: the stream ends before it, with OK
+      tamper;                      // changes an event; false: the stream ends before it, with `brokenOff`
+  grpc::Status brokenOff;          // OK at first
   std::atomic<int> queueFull = 0;  // so many calls meet a full queue, retry after 1 ms
   std::atomic<int> lost = 0;       // so many calls end in UNAVAILABLE
   std::function<void()> hang;      // called, and then renderings go on until they are cancelled
   grpc::Status refusal;            // of every rendering and upload, unless OK
+  std::function<grpc::Status(const v1::RenderRequest&)> judge;  // the same, of one rendering
+  void forget();                                                // all scenes that were uploaded
 
   // What it got.
-  std::atomic<int> renderings = 0;
+  std::atomic<int> renderings = 0, uploads = 0;
   v1::RenderRequest lastRequest;
   std::string uploadedMain;
   std::map<std::string, std::string> uploaded;  // contents by URI
@@ -69,6 +73,10 @@ class FakeServer final : public v1::Sundial::Service {
 
  private:
   grpc::Status misbehave(grpc::ServerContext&);
+  bool knows(const std::string& scene);
+
+  std::mutex mutex_;               // calls may come at once
+  std::set<std::string> digests_;  // of uploaded scenes
 
   TemporaryFolder folder_;
   std::string address_;

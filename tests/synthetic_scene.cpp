@@ -62,6 +62,8 @@ void set(v1::Vec3& vector, Vector v) {
 v1::Accepted acceptedOf(const v1::RenderRequest& request) {
   v1::Accepted accepted;
   accepted.set_request_id("r1");
+  accepted.set_device("fake device");
+  accepted.set_driver("fake driver 1.0");
   for (const int aov : request.images()) {
     const std::uint64_t pixel = aov == v1::ID ? 8 : aov == v1::POSITION || aov == v1::NORMAL ? 12 : 4;
     accepted.set_bytes_expected(accepted.bytes_expected() +

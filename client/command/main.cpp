@@ -64,6 +64,8 @@ int run(int argc, char** argv) {
   addRender(app, action);
   addCompare(app, action);
   addStability(app, action);
+  addSweep(app, action);
+  addChart(app, action);
   try {
     app.parse(argc, argv);
   } catch (const CLI::Success& help) {

@@ -12,12 +12,14 @@ class ProgressBar {
   ProgressBar(const ProgressBar&) = delete;
   ProgressBar& operator=(const ProgressBar&) = delete;
 
-  void show(double done, double total);
+  // `note`, if any, stands beside the bar.
+  void show(double done, double total, const std::string& note = {});
 
  private:
   std::string title_;
   bool visible_;
-  int percent_ = -1;  // on the screen now
+  int percent_ = -1;  // this and the following are on the screen now
+  std::string note_;
 };
 
 }  // namespace sundial::command

@@ -8,6 +8,17 @@
 
 namespace sundial::command {
 
+namespace {
+
+std::shared_ptr<grpc::Channel> connected(std::string_view addresses) {
+  auto channel = client::connect(addresses);
+  if (!channel)
+    throw Failure(channel.error().code == grpc::INVALID_ARGUMENT ? 2 : 1, channel.error().message);
+  return std::move(*channel);
+}
+
+}  // namespace
+
 bool isLocalFile(const std::string& scene) {
   return scene.starts_with("/") || scene.starts_with("./") || scene.starts_with("../");
 }
@@ -16,18 +27,30 @@ Session::Session(GlobalOptions options, const Interrupt& interrupt)
     : options_(std::move(options)), interrupt_(interrupt) {}
 
 const client::Client& Session::client() {
-  if (client_) return *client_;
-  const client::CallOptions call{
-      .timeout = std::chrono::milliseconds(static_cast<std::int64_t>(options_.timeoutSeconds * 1000)),
-      .stop = interrupt_.token()};
+  if (!client_) client_.emplace(channel(), callOptions());
+  return *client_;
+}
+
+client::CallOptions Session::callOptions() const {
+  return {.timeout = std::chrono::milliseconds(static_cast<std::int64_t>(options_.timeoutSeconds * 1000)),
+          .stop = interrupt_.token()};
+}
+
+std::shared_ptr<grpc::Channel> Session::channel() {
+  if (channel_) return channel_;
   if (options_.server.empty()) {
     privateServer_.emplace(options_.privateServer, interrupt_.token());
-    return client_.emplace(privateServer_->channel(), call);
+    return channel_ = privateServer_->channel();
   }
-  auto channel = client::connect(options_.server);
-  if (!channel)
-    throw Failure(channel.error().code == grpc::INVALID_ARGUMENT ? 2 : 1, channel.error().message);
-  return client_.emplace(std::move(*channel), call);
+  return channel_ = connected(options_.server);
+}
+
+std::vector<std::shared_ptr<grpc::Channel>> Session::eachServer() {
+  const auto addresses = client::eachAddress(options_.server);
+  if (addresses.size() == 1) return {channel()};
+  std::vector<std::shared_ptr<grpc::Channel>> channels;
+  for (const std::string_view address : addresses) channels.push_back(connected(address));
+  return channels;
 }
 
 std::string Session::sceneReference(const std::string& scene) {

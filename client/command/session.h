@@ -4,6 +4,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "command/failure.h"
 #include "command/interrupt.h"
@@ -30,6 +31,11 @@ class Session {
   // Connects, or starts the private server, on the first call: after the command has checked what it can.
   const client::Client& client();
 
+  // The same server or servers, for who needs other options or each of several by itself.
+  client::CallOptions callOptions() const;
+  std::shared_ptr<grpc::Channel> channel();
+  std::vector<std::shared_ptr<grpc::Channel>> eachServer();
+
   // What requests call the scene: a local file (it begins with / or ./ or ../) is uploaded first.
   std::string sceneReference(const std::string& scene);
   v1::SceneInfo upload(const client::SceneFiles&);
@@ -54,6 +60,7 @@ class Session {
   GlobalOptions options_;
   const Interrupt& interrupt_;
   std::optional<PrivateServer> privateServer_;
+  std::shared_ptr<grpc::Channel> channel_;
   std::optional<client::Client> client_;
 };
 

@@ -31,13 +31,16 @@ std::string inkOn(std::size_t index) {
   return 54 * colour.r + 183 * colour.g + 19 * colour.b < 256 * 115 ? "#fff" : "#14171b";  // Rec. 709
 }
 
-// From the ninth mark on, hollow.
+const char* outlineOf(std::size_t index) { return kShapes[index % std::size(kShapes)]; }
+
+bool isFilled(std::size_t index) { return index / std::size(kShapes) % 2 == 0; }
+
 std::string markAt(std::size_t index, double x, double y) {
   const std::string colour = colourOf(index);
   return fmt::format(
       R"svg(<path d="{}" transform="translate({:.1f},{:.1f})" fill="{}" stroke="{}" stroke-width="1.5"/>)svg",
-      kShapes[index % std::size(kShapes)], x, y, index / std::size(kShapes) % 2 == 0 ? colour : "none",
-      index / std::size(kShapes) % 2 == 0 ? "var(--back,#fff)" : colour);
+      outlineOf(index), x, y, isFilled(index) ? colour : "none",
+      isFilled(index) ? "var(--back,#fff)" : colour);
 }
 
 std::string inlineMark(std::size_t index) {

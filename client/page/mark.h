@@ -10,6 +10,10 @@ namespace sundial::page {
 // SVG elements of the `index`-th mark, centred at x, y (pixels).
 std::string markAt(std::size_t index, double x, double y);
 
+// Its shape as SVG path data of 12 pixels around 0, 0. From the ninth mark on, shapes are hollow.
+const char* outlineOf(std::size_t index);
+bool isFilled(std::size_t index);
+
 // The mark as a small picture of its own, to stand in a line of text.
 std::string inlineMark(std::size_t index);
 

@@ -15,7 +15,6 @@ namespace sundial::page {
 namespace {
 
 constexpr double kSide = 720, kMargin = 36;  // pixels
-constexpr unsigned kCells = 360;             // of the density, a side
 constexpr int kMostLabels = 20;
 constexpr const char* kOpen =
     R"svg(<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 720 720" font-family="system-ui,sans-serif"><rect width="720" height="720" fill="#14171b"/>)svg";
@@ -54,14 +53,14 @@ std::vector<glm::dvec2> samplesOf(const client::MethodRendering& rendering, cons
 }
 
 // Brightness is the logarithm of the number of samples.
-image::Picture density(const std::vector<glm::dvec2>& samples, const Fit& fit) {
-  std::vector<unsigned> counts(kCells * kCells);
+image::Picture density(const std::vector<glm::dvec2>& samples, const Fit& fit, unsigned cells) {
+  std::vector<unsigned> counts(std::size_t{cells} * cells);
   unsigned most = 1;
   for (const glm::dvec2 sample : samples) {
-    const glm::uvec2 cell(glm::clamp(fit.at(sample) / kSide * double{kCells}, 0.0, kCells - 1.0));
-    most = std::max(most, ++counts[cell.y * kCells + cell.x]);
+    const glm::uvec2 cell(glm::clamp(fit.at(sample) / kSide * static_cast<double>(cells), 0.0, cells - 1.0));
+    most = std::max(most, ++counts[std::size_t{cell.y} * cells + cell.x]);
   }
-  image::Picture picture{kCells, kCells, 3, {}};
+  image::Picture picture{cells, cells, 3, {}};
   for (const unsigned count : counts) {
     const double level = count == 0 ? 0 : 0.25 + 0.75 * std::log1p(count) / std::log1p(most);
     const auto channel = [&](double from, double to) {
@@ -114,7 +113,7 @@ std::string scaleBar(const Fit& fit, bool metres) {
 
 }  // namespace
 
-std::string planPicture(const client::MethodRendering& rendering, const v1::Light& light) {
+std::string planPicture(const client::MethodRendering& rendering, const v1::Light& light, unsigned cells) {
   if (rendering.plan.views().empty()) return note("this method needs no shadow map: no plan");
   const auto space = LightSpace::of(light, rendering.plan);
   if (!space)
@@ -134,7 +133,7 @@ std::string planPicture(const client::MethodRendering& rendering, const v1::Ligh
 
   std::string svg = kOpen;
   svg += fmt::format(R"svg(<image width="{0}" height="{0}" href="{1}"/>)svg", kSide,
-                     dataUri("image/png", image::encodePng(density(samples, fit))));
+                     dataUri("image/png", image::encodePng(density(samples, fit, cells))));
   for (const auto& [index, outline] : outlines)
     svg += drawView(rendering.plan.views(index), index, outline, fit,
                     static_cast<int>(outlines.size()) <= kMostLabels, space->metres());

@@ -8,7 +8,8 @@
 namespace sundial::page {
 
 // An SVG file: how densely the view samples lie in light space, and over them each view of the plan with its
-// texels. A method without a plan gets a note. Needs the colour and position images.
-std::string planPicture(const client::MethodRendering&, const v1::Light&);
+// texels. A method without a plan gets a note. Needs the colour and position images. The density has so many
+// cells a side: they are most of the file's size.
+std::string planPicture(const client::MethodRendering&, const v1::Light&, unsigned cells = 360);
 
 }  // namespace sundial::page

@@ -16,9 +16,9 @@ template <class Request, class Response>
 Expected<Response> call(v1::Sundial::Stub& stub, const CallOptions& options, Rpc<Request, Response> rpc,
                         const Request& request) {
   Response response;
-  const grpc::Status status = withRetries(
+  const auto done = withRetries(
       options, [&](grpc::ClientContext& context) { return (stub.*rpc)(&context, request, &response); });
-  if (!status.ok()) return fail(status);
+  if (!done) return std::unexpected(done.error());
   return response;
 }
 
@@ -32,7 +32,7 @@ auto assembled(v1::Sundial::Stub& stub, const CallOptions& options, Stream<Reque
                const Request& request, const Before& before, const After& after)
     -> decltype(std::declval<Assembler&>().finish()) {
   decltype(std::declval<Assembler&>().finish()) whole;
-  const grpc::Status status = withRetries(options, [&](grpc::ClientContext& context) -> grpc::Status {
+  const auto done = withRetries(options, [&](grpc::ClientContext& context) -> grpc::Status {
     Assembler assembler(request);
     const auto reader = (stub.*rpc)(&context, request);
     Event event;
@@ -49,7 +49,7 @@ auto assembled(v1::Sundial::Stub& stub, const CallOptions& options, Stream<Reque
     whole = assembler.finish();
     return whole ? grpc::Status::OK : grpc::Status(whole.error().code, whole.error().message);
   });
-  if (!status.ok()) return fail(status);
+  if (!done) return std::unexpected(done.error());
   return whole;
 }
 
@@ -125,14 +125,14 @@ Expected<v1::ListStabilityCasesResponse> Client::stabilityCases() const {
 
 Expected<v1::SceneInfo> Client::upload(const SceneFiles& scene, const OnProgress& onProgress) const {
   v1::SceneInfo info;
-  const grpc::Status status = withRetries(options_, [&](grpc::ClientContext& context) {
+  const auto done = withRetries(options_, [&](grpc::ClientContext& context) {
     const auto writer = stub_->UploadScene(&context, &info);
     const grpc::Status sent = sendFiles(scene, *writer, onProgress);
     if (!sent.ok()) context.TryCancel();
     const grpc::Status answer = writer->Finish();
     return sent.ok() ? answer : sent;
   });
-  if (!status.ok()) return fail(status);
+  if (!done) return std::unexpected(done.error());
   return info;
 }
 

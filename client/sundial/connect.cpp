@@ -51,28 +51,33 @@ Expected<std::string> resolve(const HostPort& address) {
   return fmt::format("{}:{}", text.data(), address.port);
 }
 
-std::vector<std::string_view> splitCommas(std::string_view text) {
+}  // namespace
+
+std::vector<std::string_view> eachAddress(std::string_view addresses) {
   std::vector<std::string_view> parts;
+  if (addresses.starts_with("unix:")) return {addresses};
   for (;;) {
-    const auto comma = text.find(',');
-    parts.push_back(text.substr(0, comma));
+    const auto comma = addresses.find(',');
+    parts.push_back(addresses.substr(0, comma));
     if (comma == std::string_view::npos) return parts;
-    text.remove_prefix(comma + 1);
+    addresses.remove_prefix(comma + 1);
   }
 }
-
-}  // namespace
 
 Expected<std::shared_ptr<grpc::Channel>> connect(std::string_view addresses) {
   grpc::ChannelArguments arguments;
   arguments.SetInt(GRPC_ARG_INITIAL_RECONNECT_BACKOFF_MS, 50);
   arguments.SetInt(GRPC_ARG_MIN_RECONNECT_BACKOFF_MS, 50);
   arguments.SetInt(GRPC_ARG_MAX_RECONNECT_BACKOFF_MS, 2000);
+  // A machine that vanishes without a word is noticed, however long a rendering says nothing.
+  arguments.SetInt(GRPC_ARG_KEEPALIVE_TIME_MS, 20'000);
+  arguments.SetInt(GRPC_ARG_KEEPALIVE_TIMEOUT_MS, 10'000);
+  arguments.SetInt(GRPC_ARG_HTTP2_MAX_PINGS_WITHOUT_DATA, 0);
 
   std::string target;
   if (addresses.starts_with("unix:") && addresses.size() > 5) {
     target = addresses;
-  } else if (const auto parts = splitCommas(addresses); parts.size() == 1) {
+  } else if (const auto parts = eachAddress(addresses); parts.size() == 1) {
     if (const auto address = splitHostPort(addresses); !address) return std::unexpected(address.error());
     target = addresses;
   } else {

@@ -3,7 +3,9 @@
 
 #include <grpcpp/support/status.h>
 
+#include <chrono>
 #include <expected>
+#include <optional>
 #include <string>
 #include <utility>
 
@@ -11,14 +13,15 @@ namespace sundial::client {
 
 struct Error {
   grpc::StatusCode code;
-  std::string message;  // what failed, why, and what to try
+  std::string message;                                                 // what failed, why, and what to try
+  std::optional<std::chrono::milliseconds> retryAfter = std::nullopt;  // a full queue's hint
 };
 
 template <class T>
 using Expected = std::expected<T, Error>;
 
 inline std::unexpected<Error> fail(grpc::StatusCode code, std::string message) {
-  return std::unexpected(Error{code, std::move(message)});
+  return std::unexpected(Error{.code = code, .message = std::move(message)});
 }
 inline std::unexpected<Error> fail(const grpc::Status& status) {
   return fail(status.error_code(), status.error_message());

@@ -10,8 +10,7 @@ namespace sundial::client {
 namespace {
 
 using std::chrono::milliseconds;
-constexpr int kQueueRetries = 30;
-constexpr int kLostRetries = 3;
+constexpr milliseconds kFirstPause{100};
 
 std::optional<milliseconds> retryHint(const grpc::ClientContext& context) {
   const auto& metadata = context.GetServerTrailingMetadata();
@@ -23,7 +22,8 @@ std::optional<milliseconds> retryHint(const grpc::ClientContext& context) {
   return milliseconds(std::clamp(value, 1u, 60'000u));
 }
 
-// Returns early when a stop is requested.
+}  // namespace
+
 void pause(milliseconds time, const std::stop_token& stop) {
   std::mutex mutex;
   std::condition_variable_any never;
@@ -31,11 +31,10 @@ void pause(milliseconds time, const std::stop_token& stop) {
   never.wait_for(lock, stop, time, [] { return false; });
 }
 
-}  // namespace
-
-grpc::Status withRetries(const CallOptions& options, const Attempt& attempt) {
+Expected<void> withRetries(const CallOptions& options, const Attempt& attempt) {
   const auto deadline = std::chrono::system_clock::now() + options.timeout;
-  int queueRetries = kQueueRetries, lostRetries = kLostRetries;
+  int queueRetries = options.queueRetries, lostRetries = options.lostRetries;
+  milliseconds lostPause = kFirstPause;
   for (;;) {
     grpc::ClientContext context;
     context.set_deadline(deadline);
@@ -44,20 +43,24 @@ grpc::Status withRetries(const CallOptions& options, const Attempt& attempt) {
       return attempt(context);
     }();
 
+    if (status.ok()) return {};
+
+    Error error{.code = status.error_code(), .message = status.error_message()};
+    if (error.code == grpc::RESOURCE_EXHAUSTED) error.retryAfter = retryHint(context);
     milliseconds wait{};
-    if (const auto hint = retryHint(context);
-        status.error_code() == grpc::RESOURCE_EXHAUSTED && hint && queueRetries > 0) {
+    if (error.retryAfter && queueRetries > 0) {
       --queueRetries;
-      wait = *hint;
-    } else if (status.error_code() == grpc::UNAVAILABLE && lostRetries > 0) {
-      wait = milliseconds(100 << (kLostRetries - lostRetries));
+      wait = *error.retryAfter;
+    } else if (error.code == grpc::UNAVAILABLE && lostRetries > 0) {
       --lostRetries;
+      wait = lostPause;
+      lostPause *= 2;
     } else {
-      return status;
+      return std::unexpected(std::move(error));
     }
-    if (std::chrono::system_clock::now() + wait >= deadline) return status;
+    if (std::chrono::system_clock::now() + wait >= deadline) return std::unexpected(std::move(error));
     pause(wait, options.stop);
-    if (options.stop.stop_requested()) return {grpc::CANCELLED, "interrupted"};
+    if (options.stop.stop_requested()) return fail(grpc::CANCELLED, "interrupted");
   }
 }
 

@@ -10,8 +10,11 @@
 #include <cstdint>
 #include <cstring>
 #include <fstream>
+#include <map>
 #include <optional>
 #include <set>
+
+#include "sundial/content_digest.h"
 
 namespace sundial::client {
 namespace {
@@ -87,6 +90,24 @@ Expected<void> add(SceneFiles& scene, std::string uri, const fs::path& path) {
   return {};
 }
 
+Expected<void> addContent(ContentDigest& digest, const fs::path& path) {
+  std::error_code error;
+  const std::uintmax_t size = fs::file_size(path, error);
+  std::ifstream file(path, std::ios::binary);
+  std::string piece(1 << 20, '\0');
+  std::uintmax_t done = 0;
+  if (!error) digest.begin(size);
+  while (file && !error && done < size) {
+    file.read(piece.data(), static_cast<std::streamsize>(piece.size()));
+    const auto count = static_cast<std::size_t>(file.gcount());
+    digest.update(std::string_view(piece).substr(0, count));
+    done += count;
+  }
+  if (error || done != size)
+    return fail(grpc::NOT_FOUND, fmt::format("can't read {}; check the path", path.string()));
+  return {};
+}
+
 }  // namespace
 
 Expected<SceneFiles> gatherSceneFiles(const fs::path& main) {
@@ -109,6 +130,21 @@ Expected<SceneFiles> gatherSceneFiles(const fs::path& main) {
       return std::unexpected(added.error());
   }
   return scene;
+}
+
+Expected<std::string> digestOf(const SceneFiles& scene) {
+  ContentDigest digest;
+  digest.add("files");
+  if (auto added = addContent(digest, scene.files.front().path); !added)
+    return std::unexpected(added.error());
+  std::map<std::string, fs::path> others;
+  for (std::size_t i = 1; i < scene.files.size(); ++i) others[scene.files[i].uri] = scene.files[i].path;
+  others.erase(scene.files.front().uri);
+  for (const auto& [uri, path] : others) {
+    digest.add(uri);
+    if (auto added = addContent(digest, path); !added) return std::unexpected(added.error());
+  }
+  return digest.hexadecimal();
 }
 
 }  // namespace sundial::client

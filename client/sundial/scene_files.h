@@ -25,4 +25,7 @@ struct SceneFiles {
 // INVALID_ARGUMENT for a URI that leaves the scene's folder.
 Expected<SceneFiles> gatherSceneFiles(const std::filesystem::path& main);
 
+// SceneInfo.digest of these files, before any server has them. Errors: NOT_FOUND for one that can't be read.
+Expected<std::string> digestOf(const SceneFiles&);
+
 }  // namespace sundial::client

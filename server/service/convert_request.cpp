@@ -3,6 +3,7 @@
 #include <cmath>
 #include <glm/glm.hpp>
 
+#include "scene/choose.h"
 #include "service/convert_parts.h"
 
 namespace sundial {
@@ -186,6 +187,16 @@ Result<RenderSpec> fromProto(const v1::RenderRequest& in, const RequestLimits& l
     return invalid(fmt::format("repetitions is {}: must lie in [0, {}]", in.repetitions(), kMaxRepetitions));
   }
   spec.job.repetitions = in.repetitions();
+  if (in.max_repetitions() > kMaxRepetitions) {
+    return invalid(
+        fmt::format("max_repetitions is {}: must lie in [0, {}]", in.max_repetitions(), kMaxRepetitions));
+  }
+  spec.job.maxRepetitions = in.max_repetitions();
+  if (!(in.quartile_target() >= 0 && std::isfinite(in.quartile_target()))) {
+    return invalid(
+        fmt::format("quartile_target is {}: must be a finite number of at least 0", in.quartile_target()));
+  }
+  spec.job.quartileTarget = in.quartile_target();
   spec.job.measures = in.measures();
 
   // The images.
@@ -213,24 +224,12 @@ Result<RenderSpec> fromProto(const v1::RenderRequest& in, const RequestLimits& l
 
 Result<RenderJob> withScene(RenderSpec spec, std::shared_ptr<const Scene> scene) {
   RenderJob job = std::move(spec.job);
-  if (spec.view) {
-    job.view = *spec.view;
-  } else if (spec.viewName) {
-    auto view = findNamed(scene->views, *spec.viewName, "view");
-    if (!view) return std::unexpected(std::move(view.error()));
-    job.view = view->view;
-  } else {
-    job.view = scene->views.empty() ? defaultView(*scene) : scene->views.front().view;
-  }
-  if (spec.light) {
-    job.light = *spec.light;
-  } else if (spec.lightName) {
-    auto light = findNamed(scene->lights, *spec.lightName, "light");
-    if (!light) return std::unexpected(std::move(light.error()));
-    job.light = light->light;
-  } else {
-    job.light = scene->lights.empty() ? defaultLight(*scene) : scene->lights.front().light;
-  }
+  const auto view = spec.view ? Result<View>(*spec.view) : chooseView(*scene, spec.viewName);
+  if (!view) return std::unexpected(view.error());
+  const auto light = spec.light ? Result<Light>(*spec.light) : chooseLight(*scene, spec.lightName);
+  if (!light) return std::unexpected(light.error());
+  job.view = *view;
+  job.light = *light;
   job.scene = std::move(scene);
   return job;
 }

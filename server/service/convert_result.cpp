@@ -108,6 +108,7 @@ void toProto(const MethodResult& in, v1::Result* out) {
     for (const Work& work : pass.work) (*to->mutable_work())[work.name] = work.count;
   }
   toProto(in.plan, out->mutable_plan());
+  out->set_repetitions(in.repetitions);
 }
 
 void toProto(const MethodRow& in, v1::Method* out) {

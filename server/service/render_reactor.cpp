@@ -54,6 +54,8 @@ void RenderReactor<Event>::onScene(Prepare prepare, Result<LoadedScene> loaded) 
   accepted.set_request_id(log_.record.id);
   accepted.set_bytes_expected(work->outputBytes);
   accepted.set_scene_digest(loaded->digest);
+  accepted.set_device(context_.queue.device().name);
+  accepted.set_driver(context_.queue.device().driver);
   {
     // Under the lock, so that nothing of the rendering comes before its acceptance.
     const std::lock_guard lock(mutex_);

@@ -4,6 +4,7 @@
 #include <grpcpp/support/status.h>
 
 #include "result.h"
+#include "sundial/status_name.h"
 
 namespace sundial {
 
@@ -35,33 +36,7 @@ inline grpc::Status toStatus(const Error& error) {
   for (char& c : message) {
     if (static_cast<unsigned char>(c) < 0x20 || c == 0x7f) c = ' ';
   }
-  return {statusCode(error.code), std::move(message)};
-}
-
-// As logs and metrics print it: "OK", "NOT_FOUND".
-inline const char* statusName(grpc::StatusCode code) {
-  switch (code) {
-    case grpc::StatusCode::OK:
-      return "OK";
-    case grpc::StatusCode::INVALID_ARGUMENT:
-      return "INVALID_ARGUMENT";
-    case grpc::StatusCode::NOT_FOUND:
-      return "NOT_FOUND";
-    case grpc::StatusCode::FAILED_PRECONDITION:
-      return "FAILED_PRECONDITION";
-    case grpc::StatusCode::RESOURCE_EXHAUSTED:
-      return "RESOURCE_EXHAUSTED";
-    case grpc::StatusCode::DEADLINE_EXCEEDED:
-      return "DEADLINE_EXCEEDED";
-    case grpc::StatusCode::CANCELLED:
-      return "CANCELLED";
-    case grpc::StatusCode::DATA_LOSS:
-      return "DATA_LOSS";
-    case grpc::StatusCode::UNAVAILABLE:
-      return "UNAVAILABLE";
-    default:
-      return "UNKNOWN";
-  }
+  return {statusCode(error.code), message};
 }
 
 }  // namespace sundial

@@ -61,6 +61,7 @@ grpc::ServerUnaryReactor* SundialService::GetServerInfo(grpc::CallbackServerCont
   answer->set_driver(queue.device().driver);
   answer->set_max_image_side(context_.limits.request.imageSide);
   answer->set_max_queued(static_cast<std::uint32_t>(queue.limits().waiting));
+  answer->set_max_queued_per_client(static_cast<std::uint32_t>(queue.limits().waitingPerClient));
   answer->set_queued(static_cast<std::uint32_t>(counts.waiting));
   answer->set_rendering(static_cast<std::uint32_t>(counts.rendering));
   answer->set_validation_messages(queue.validationMessages());

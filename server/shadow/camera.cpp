@@ -17,6 +17,12 @@ using glm::dvec4;
 
 bool finite(const dvec3& v) { return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z); }
 
+// Whether it can be normalised: the square of its length is a number, and not zero.
+bool hasDirection(const dvec3& v) {
+  const double length = glm::length(v);
+  return length >= 1e-150 && length <= 1e150;
+}
+
 dmat4 fromRows(const dvec4& r0, const dvec4& r1, const dvec4& r2, const dvec4& r3) {
   return glm::transpose(dmat4(r0, r1, r2, r3));
 }
@@ -83,7 +89,8 @@ LightSpace directionalSpace(const Scene& scene, const dvec3& along, const dvec3&
     });
     const dvec3 extent = space.bounds.max - space.bounds.min;
     const double area = extent.x * extent.y;
-    if (best && !(area < bestArea)) continue;
+    // Clearly smaller: equal areas differ by rounding, which mustn't turn the map when the origin moves.
+    if (best && !(area < 0.999 * bestArea)) continue;
     bestArea = area;
     best = space;
   }
@@ -161,12 +168,14 @@ shared::FrameConstants frameConstants(const Scene& scene, const View& view, cons
 std::optional<std::string> whyInvalid(const View& view) {
   if (!finite(view.eye) || !finite(view.target) || !finite(view.up))
     return "view: eye, target and up must be finite";
-  if (view.eye == view.target) return "view: target must differ from eye";
+  if (!hasDirection(view.target - view.eye))
+    return "view: target must differ from eye, and be within 1e150 m of it";
   if (!(view.verticalFovDegrees > 0 && view.verticalFovDegrees < 180))
     return fmt::format("view: fov {} is outside (0, 180) degrees", view.verticalFovDegrees);
+  if (!hasDirection(view.up)) return "view: up must have a length in [1e-150, 1e150]";
   const dvec3 across = glm::cross(glm::normalize(view.target - view.eye), view.up);
   if (!(glm::length(across) > 1e-6 * glm::length(view.up)))
-    return "view: up must not be zero or parallel to target - eye";
+    return "view: up must not be parallel to target - eye";
   return std::nullopt;
 }
 
@@ -175,7 +184,7 @@ std::optional<std::string> whyInvalid(const Light& light) {
     return "light: direction and position must be finite";
   if (light.kind == LightKind::point)
     return "light: point lights aren't rendered by any method yet: use --sun or --spot";
-  if (!(glm::length(light.direction) > 0)) return "light: direction must not be zero";
+  if (!hasDirection(light.direction)) return "light: direction must have a length in [1e-150, 1e150]";
   if (light.kind == LightKind::spot && !(light.coneDegrees > 0 && light.coneDegrees <= 170))
     return fmt::format("light: cone {} is outside (0, 170] degrees", light.coneDegrees);
   return std::nullopt;

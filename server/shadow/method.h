@@ -55,7 +55,7 @@ std::vector<Parameter> parametersOf(const MethodRow&);
 
 // "sm" with {"texels": "1024", "lookup": "pcf"}. Errors: notFound for a method, naming those that exist;
 // invalidArgument for a parameter, a value or a combination, naming the range or the reason.
-Result<Method> chooseMethod(std::string_view name, const std::map<std::string, std::string>& parameters);
+Result<Method> chooseMethod(std::string_view name, const std::map<std::string, std::string>& wanted);
 
 // "NAME[,key=value]..." as the command line writes it.
 Result<Method> parseMethod(std::string_view text);

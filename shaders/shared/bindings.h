@@ -16,13 +16,13 @@ SUNDIAL_CONST kBindVisible = 6u;    // uvec2[]: a bit a draw, by cull slot and c
 SUNDIAL_CONST kBindCounts = 7u;     // uint[]: commands, by cull slot and bucket
 SUNDIAL_CONST kStorageBindings = 8u;
 
-// Read at random, so through texel buffers: lavapipe gathers a whole texel at once, but a storage buffer's words one by
-// one and lane by lane.
-SUNDIAL_CONST kBindVertices = 8u;     // RGBA32UI: Vertex
-SUNDIAL_CONST kBindAttributes = 9u;   // RGBA32UI: Attributes
-SUNDIAL_CONST kBindTriangles = 10u;   // RGBA32UI: Triangle
-SUNDIAL_CONST kBindDraws = 11u;       // RG32UI: Draw
-SUNDIAL_CONST kBindInstances = 12u;   // RGBA32F: a row of Instance
+// Read at random, so through texel buffers: lavapipe gathers a whole texel at once, but a storage buffer's
+// words one by one and lane by lane.
+SUNDIAL_CONST kBindVertices = 8u;    // RGBA32UI: Vertex
+SUNDIAL_CONST kBindAttributes = 9u;  // RGBA32UI: Attributes
+SUNDIAL_CONST kBindTriangles = 10u;  // RGBA32UI: Triangle
+SUNDIAL_CONST kBindDraws = 11u;      // RG32UI: Draw
+SUNDIAL_CONST kBindInstances = 12u;  // RGBA32F: a row of Instance
 SUNDIAL_CONST kTexelBindings = 13u;
 
 SUNDIAL_CONST kBindTextures = 13u;    // sampler2DArray: base colour

@@ -1,10 +1,10 @@
 // What every pass of a frame knows, and what a view sample is.
 //
-// Conventions: right-handed world, y up, metres. On the GPU world space is relative to the frame's `origin`, a
-// point that the host chooses in double precision near the camera, on a coarse grid (so that it rarely moves).
-// Matrices are named destinationFromSource; prefixes ws, vs, ls name the space of a vector. Depth is reversed,
-// the camera's far plane infinite. Pixel centres at +0.5, image row 0 at the top. The light's direction is the
-// one in which light travels.
+// Conventions: right-handed world, y up, metres. On the GPU world space is relative to the frame's `origin`,
+// a point that the host chooses in double precision near the camera, on a coarse grid (so that it rarely
+// moves). Matrices are named destinationFromSource; prefixes ws, vs, ls name the space of a vector. Depth is
+// reversed, the camera's far plane infinite. Pixel centres at +0.5, image row 0 at the top. The light's
+// direction is the one in which light travels.
 #ifndef SUNDIAL_SHARED_FRAME_H
 #define SUNDIAL_SHARED_FRAME_H
 #include "interop.h"
@@ -23,10 +23,10 @@ struct FrameConstants {
   float nearDistance;
   vec3 wsRayTopLeft;  // the pixel ray through the image's top left corner, of depth 1 along the view's axis
   uint lightKind;
-  vec3 wsRayPerPixelX;  // what one pixel to the right adds to it
-  float lightCosCone;   // spot: cosine of the half angle
-  vec3 wsRayPerPixelY;  // what one pixel down adds to it
-  uint drawCount;       // cluster instances in the scene
+  vec3 wsRayPerPixelX;    // what one pixel to the right adds to it
+  float lightCosCone;     // spot: cosine of the half angle
+  vec3 wsRayPerPixelY;    // what one pixel down adds to it
+  uint drawCount;         // cluster instances in the scene
   vec3 wsLightDirection;  // unit; spot: the axis
   float biasTexels;
   vec3 wsLightPosition;  // spot
@@ -36,7 +36,7 @@ struct FrameConstants {
   vec3 lsBoundsMin;      // bounds known to the host (volume=scene), light space after division
   uint pcfKernel;        // texels a side, odd
   vec3 lsBoundsMax;
-  uint cullSlots;  // the camera and every shadow view
+  uint cullSlots;        // the camera and every shadow view
   uvec2 drawBuckets[6];  // first chunk and number of chunks of each bucket (scene.h: kBuckets)
 };
 
@@ -60,10 +60,10 @@ struct ViewSample {
 
 // What answered a view sample, for the measures; written apart from the timed frame.
 struct Answer {
-  uint view;         // index in the plan, or kNoShadowView
-  uint texel;        // y * storeSize.x + x
-  float footprint;   // the texel's extent on the receiver's plane, seen in the image, pixels (longer side)
-  uint facesLight;   // 1 where the sample faces the light (and, for a spot, lies in its cone)
+  uint view;        // index in the plan, or kNoShadowView
+  uint texel;       // y * storeSize.x + x
+  float footprint;  // the texel's extent on the receiver's plane, seen in the image, pixels (longer side)
+  uint facesLight;  // 1 where the sample faces the light (and, for a spot, lies in its cone)
 };
 
 SUNDIAL_SHARED_END

@@ -17,11 +17,12 @@ struct ShadowView {
   uvec2 rectOffset;      // texels, in the store's image
   uvec2 rectSize;        // texels
   vec2 texelSize;        // directional: metres; spot: metres at one metre from the light
-  float nearDistance;    // along the light, metres: directional from the light-space origin, spot from the light
+  float
+      nearDistance;  // along the light, metres: directional from the light-space origin, spot from the light
   float farDistance;
-  uint sampleCount;      // view samples that chose this view; 0 where the partition doesn't count
-  uint importance;       // 0 where the resolution isn't ranked
-  uint empty;            // 1: nothing to draw
+  uint sampleCount;  // view samples that chose this view; 0 where the partition doesn't count
+  uint importance;   // 0 where the resolution isn't ranked
+  uint empty;        // 1: nothing to draw
   uint padding;
 };
 

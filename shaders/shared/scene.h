@@ -1,4 +1,5 @@
-// The scene as the GPU reads it. Lengths are metres; positions are in mesh space unless a name says otherwise.
+// The scene as the GPU reads it. Lengths are metres; positions are in mesh space unless a name says
+// otherwise.
 #ifndef SUNDIAL_SHARED_SCENE_H
 #define SUNDIAL_SHARED_SCENE_H
 #include "interop.h"
@@ -56,8 +57,8 @@ struct Instance {
   vec4 worldFromMesh[3];
 };
 
-// A cluster of an instance, the unit of culling. Draws are sorted by bucket: what a pipeline and a cull mode can
-// draw together.
+// A cluster of an instance, the unit of culling. Draws are sorted by bucket: what a pipeline and a cull mode
+// can draw together.
 struct Draw {
   uint instance;  // kNoInstance: pads a bucket to a whole chunk
   uint cluster;

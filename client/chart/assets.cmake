@@ -1,0 +1,70 @@
+# What the page of `sundial chart` embeds: Vega, as npm's lock file names it, and our own scripts.
+set(CHART_SOURCE ${CMAKE_CURRENT_SOURCE_DIR}/chart)
+set(CHART_BUILD ${CMAKE_CURRENT_BINARY_DIR}/chart)
+set(SUNDIAL_NODE_MODULES ${CHART_BUILD}/node_modules CACHE PATH
+  "What 'npm ci' made of client/chart/package-lock.json; made there when absent or when the lock has changed")
+
+# The only step of a build that needs a registry of packages: point this at a copy to do without.
+file(SHA256 ${CHART_SOURCE}/package-lock.json CHART_LOCK)
+set(CHART_STAMP ${CHART_BUILD}/lock.sha256)
+set(CHART_INSTALLED "")
+if(EXISTS ${CHART_STAMP} AND EXISTS ${SUNDIAL_NODE_MODULES}/vega)
+  file(READ ${CHART_STAMP} CHART_INSTALLED)
+endif()
+if(SUNDIAL_NODE_MODULES STREQUAL ${CHART_BUILD}/node_modules AND NOT CHART_INSTALLED STREQUAL CHART_LOCK)
+  find_program(NPM npm)
+  if(NOT NPM)
+    message(FATAL_ERROR "The page of 'sundial chart' embeds packages of npm, which isn't installed: install npm "
+      "(deploy/packages.sh does), or set SUNDIAL_NODE_MODULES to the folder that 'npm ci' makes elsewhere")
+  endif()
+  file(COPY ${CHART_SOURCE}/package.json ${CHART_SOURCE}/package-lock.json ${CHART_SOURCE}/.npmrc
+    DESTINATION ${CHART_BUILD})
+  message(STATUS "Installing the packages of client/chart/package-lock.json")
+  execute_process(COMMAND ${NPM} ci --ignore-scripts --no-audit --no-fund --loglevel=error
+    WORKING_DIRECTORY ${CHART_BUILD} RESULT_VARIABLE CHART_STATUS OUTPUT_QUIET)
+  if(NOT CHART_STATUS EQUAL 0)
+    message(FATAL_ERROR "'npm ci' in ${CHART_BUILD} failed: check its registry, or set SUNDIAL_NODE_MODULES")
+  endif()
+  file(WRITE ${CHART_STAMP} ${CHART_LOCK})
+endif()
+
+file(READ ${SUNDIAL_NODE_MODULES}/vega/build/vega.min.js VEGA_SCRIPT)
+string(REGEX REPLACE "//# sourceMappingURL=[^\n]*" "" VEGA_SCRIPT "${VEGA_SCRIPT}")
+
+# Every licence once, under the names of the packages that carry it.
+set(VEGA_LICENCES "")
+set(CHART_TEXTS "")
+file(GLOB CHART_LICENCES ${SUNDIAL_NODE_MODULES}/*/LICENSE*)
+foreach(FILE IN LISTS CHART_LICENCES)
+  cmake_path(GET FILE PARENT_PATH PACKAGE)
+  cmake_path(GET PACKAGE FILENAME PACKAGE)
+  if(PACKAGE MATCHES "^(vega|d3|topojson|internmap|delaunator|robust-predicates)")
+    file(READ ${FILE} TEXT)
+    string(SHA1 KEY "${TEXT}")
+    if(NOT KEY IN_LIST CHART_TEXTS)
+      list(APPEND CHART_TEXTS ${KEY})
+      set(CHART_TEXT_${KEY} "${TEXT}")
+      set(CHART_NAMES_${KEY} "")
+    endif()
+    list(APPEND CHART_NAMES_${KEY} ${PACKAGE})
+  endif()
+endforeach()
+foreach(KEY IN LISTS CHART_TEXTS)
+  list(JOIN CHART_NAMES_${KEY} ", " NAMES)
+  string(APPEND VEGA_LICENCES "${NAMES}\n\n${CHART_TEXT_${KEY}}\n\n")
+endforeach()
+
+# Modules become one script: each after those that it imports.
+set(REPORT_SCRIPT "")
+foreach(MODULE theme analysis scale format elements scatter bars figure dialog tables report)
+  file(READ ${CHART_SOURCE}/${MODULE}.js TEXT)
+  string(REGEX REPLACE "(^|\n)import [^\n]*" "\\1" TEXT "${TEXT}")
+  string(REGEX REPLACE "(^|\n)export " "\\1" TEXT "${TEXT}")
+  string(APPEND REPORT_SCRIPT "${TEXT}")
+  set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS chart/${MODULE}.js)
+endforeach()
+file(READ ${CHART_SOURCE}/report.css REPORT_STYLE)
+file(READ ${CHART_SOURCE}/report.html REPORT_BODY)
+set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS
+  chart/report.css chart/report.html chart/package-lock.json)
+configure_file(chart/assets.cpp.in gen/chart/assets.cpp @ONLY)

@@ -116,9 +116,9 @@ TEST_F(StabilityServiceTest, WhatCanNeverWorkIsRefused) {
 TEST_F(StabilityServiceTest, NamesThatTheSceneHasNotAreRefused) {
   start();
   expectRefused([](v1::StabilityRequest& r) { r.set_path_name("nowhere"); }, grpc::StatusCode::NOT_FOUND,
-                "path_name is 'nowhere'");
+                "no path 'nowhere'");
   expectRefused([](v1::StabilityRequest& r) { r.set_light_path_name("never"); }, grpc::StatusCode::NOT_FOUND,
-                "light_path_name is 'never'");
+                "no light path 'never'");
   expectRefused([](v1::StabilityRequest& r) { r.mutable_methods(0)->set_name("nonesuch"); },
                 grpc::StatusCode::NOT_FOUND, "nonesuch");
 }

@@ -18,9 +18,9 @@ void addUnload(CLI::App&, Action&);
 void addMethods(CLI::App&, Action&);
 void addRender(CLI::App&, Action&);
 void addCompare(CLI::App&, Action&);
+void addStability(CLI::App&, Action&);
 void addSweep(CLI::App&, Action&);
 void addChart(CLI::App&, Action&);
-void addStability(CLI::App&, Action&);
 
 // What SCENE may be, for the help of every command that takes one.
 inline constexpr const char* kSceneHelp =

@@ -1,5 +1,7 @@
 #include "service/convert_parts.h"
 
+#include <fmt/format.h>
+
 namespace sundial {
 
 Result<std::string> checkedName(const std::string& value, const std::string& field) {

@@ -1,8 +1,11 @@
 #include "service/convert_stability.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <sstream>
 
+#include "scene/choose.h"
 #include "service/convert_parts.h"
 #include "stability/path.h"
 
@@ -79,32 +82,28 @@ Result<void> takeLight(const v1::StabilityRequest& in, StabilitySpec& spec) {
 // What of the path is known only with the scene: keys, and frames that go before the light's.
 Result<void> findCamera(StabilitySpec& spec, const Scene& scene) {
   if (spec.pathName) {
-    auto path = findNamed(scene.paths, *spec.pathName, "path");
+    auto path = choosePath(scene, *spec.pathName);
     if (!path) return std::unexpected(std::move(path.error()));
     spec.keys = std::move(path->keys);
     spec.ownFrames = path->frames;
-  } else if (spec.viewName) {
-    auto view = findNamed(scene.views, *spec.viewName, "view");
-    if (!view) return std::unexpected(std::move(view.error()));
-    spec.keys = {view->view};
   } else if (spec.keys.empty()) {
-    spec.keys = {scene.views.empty() ? defaultView(scene) : scene.views.front().view};
+    const auto view = chooseView(scene, spec.viewName);
+    if (!view) return std::unexpected(view.error());
+    spec.keys = {*view};
   }
   return {};
 }
 
 Result<void> findLight(StabilitySpec& spec, const Scene& scene) {
   if (spec.lightPathName) {
-    auto path = findNamed(scene.lightPaths, *spec.lightPathName, "light_path");
+    auto path = chooseLightPath(scene, *spec.lightPathName);
     if (!path) return std::unexpected(std::move(path.error()));
     spec.lightKeys = std::move(path->keys);
     if (spec.ownFrames == 0) spec.ownFrames = path->frames;
-  } else if (spec.lightName) {
-    auto light = findNamed(scene.lights, *spec.lightName, "light");
-    if (!light) return std::unexpected(std::move(light.error()));
-    spec.lightKeys = {light->light};
   } else if (spec.lightKeys.empty()) {
-    spec.lightKeys = {scene.lights.empty() ? defaultLight(scene) : scene.lights.front().light};
+    const auto light = chooseLight(scene, spec.lightName);
+    if (!light) return std::unexpected(light.error());
+    spec.lightKeys = {*light};
   }
   return {};
 }

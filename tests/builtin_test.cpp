@@ -151,7 +151,10 @@ TEST(Grid, ClosedFormAgreesWithTheTriangles) {
         ++(truth ? lit : dark);
       }
       EXPECT_GT(lit, 0) << light.name;
-      EXPECT_GT(dark, 0) << light.name;
+      // A sun 1 degree above the horizon throws all shadows of so few plates beyond the ground.
+      if (light.name != "horizon") {
+        EXPECT_GT(dark, 0) << light.name;
+      }
     }
   }
 }

@@ -84,14 +84,6 @@ Result<std::unique_ptr<Renderer>> Renderer::create(std::string_view wanted, bool
 
 Result<std::vector<DeviceInfo>> Renderer::devices() { return Device::list(); }
 
-std::optional<Error> Interrupt::raised() const {
-  if (stop.stop_requested()) return Error{ErrorCode::cancelled, "the call was cancelled"};
-  if (std::chrono::steady_clock::now() >= deadline)
-    return Error{ErrorCode::deadlineExceeded,
-                 "the deadline passed before the rendering was done: allow more time"};
-  return std::nullopt;
-}
-
 std::size_t bytesPerPixel(Image::Format format) {
   switch (format) {
     case Image::Format::rgba8:

@@ -12,12 +12,14 @@
 #include <vector>
 
 #include "gpu/device_info.h"
+#include "interrupt.h"
 #include "measure/measures.h"
 #include "result.h"
 #include "scene/scene.h"
 #include "shadow/method.h"
 #include "shared/plan.h"
 #include "stability/stability.h"
+#include "work.h"
 
 namespace sundial {
 
@@ -43,13 +45,6 @@ struct Image {
 std::size_t bytesPerPixel(Image::Format);
 std::string_view aovName(Aov);
 
-// Stops work between passes.
-struct Interrupt {
-  std::stop_token stop;
-  std::chrono::steady_clock::time_point deadline = std::chrono::steady_clock::time_point::max();
-  std::optional<Error> raised() const;  // cancelled or deadlineExceeded
-};
-
 struct RenderJob {
   std::shared_ptr<const Scene> scene;
   View view;
@@ -62,12 +57,6 @@ struct RenderJob {
   double quartileTarget = 0;  // baseline: of the frame time) are farther apart than this share of its median
   std::vector<Aov> images;    // for every method
   bool measures = false;      // traces the reference once and measures every method against it
-};
-
-// Pipeline statistics; they repeat exactly.
-struct Work {
-  std::string name;  // "vertices", "primitives", "fragments", "invocations", "rays"
-  double count = 0;
 };
 
 struct Quartiles {

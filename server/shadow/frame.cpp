@@ -19,12 +19,11 @@ std::uint32_t groups(std::uint32_t items, std::uint32_t perGroup) {
   return (items + perGroup - 1) / perGroup;
 }
 
-shared::FrameConstants constantsOf(const FrameView& view, const Method& method, std::uint32_t shadowViews) {
+shared::FrameConstants constantsOf(const FrameView& view, const Method& method) {
   shared::FrameConstants c = view.constants;
   const auto& settings = method.settings;
   c.drawCount = view.scene.drawCount();
   for (std::uint32_t b = 0; b < shared::kBuckets; ++b) c.drawBuckets[b] = view.scene.buckets()[b];
-  c.cullSlots = 1 + shadowViews;
   c.storeSize = {settings.width, settings.height};
   c.biasTexels = static_cast<float>(settings.biasTexels);
   c.biasWorld =
@@ -57,7 +56,7 @@ Frame::Frame(const FrameView& view, const Method& method)
       counts_(view.device, (1 + shadowViews_) * shared::kBuckets * sizeof(std::uint32_t), kIndirect),
       nearest_(makeSampler(view.device, VK_FILTER_NEAREST)),
       bindings_(view.device, view.pipelines.layout) {
-  *constants_.mapped<shared::FrameConstants>() = constantsOf(view, method, shadowViews_);
+  *constants_.mapped<shared::FrameConstants>() = constantsOf(view, method);
   if (method.stages) {
     const VkExtent2D extent{method.settings.width, method.settings.height};
     map_.emplace(view.device, extent, VK_FORMAT_D32_SFLOAT,
@@ -90,7 +89,7 @@ void Frame::look(const FrameView& view) {
   view_.light = view.light;
   view_.origin = view.origin;
   view_.constants = view.constants;
-  *constants_.mapped<shared::FrameConstants>() = constantsOf(view, method_, shadowViews_);
+  *constants_.mapped<shared::FrameConstants>() = constantsOf(view, method_);
 }
 
 std::vector<Pass> Frame::passes() const {

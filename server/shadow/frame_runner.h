@@ -2,8 +2,9 @@
 #pragma once
 
 #include "gpu/timers.h"
-#include "renderer.h"
+#include "interrupt.h"
 #include "shadow/frame.h"
+#include "work.h"
 
 namespace sundial {
 

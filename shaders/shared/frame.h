@@ -36,7 +36,6 @@ struct FrameConstants {
   vec3 lsBoundsMin;      // bounds known to the host (volume=scene), light space after division
   uint pcfKernel;        // texels a side, odd
   vec3 lsBoundsMax;
-  uint cullSlots;        // the camera and every shadow view
   uvec2 drawBuckets[6];  // first chunk and number of chunks of each bucket (scene.h: kBuckets)
 };
 

@@ -1,0 +1,14 @@
+// Work as counts: what stands beside times, and carries over to other machines.
+#pragma once
+
+#include <string>
+
+namespace sundial {
+
+// Pipeline statistics; they repeat exactly.
+struct Work {
+  std::string name;  // "vertices", "primitives", "fragments", "invocations", "rays"
+  double count = 0;
+};
+
+}  // namespace sundial

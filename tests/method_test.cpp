@@ -112,7 +112,8 @@ TEST(ParseMethod, SettlesTheSettings) {
 TEST(ParseMethod, MakesARowIntoAnotherByItsStages) {
   const auto m = parseMethod("sm,volume=samples,focus=aabb");
   ASSERT_TRUE(m) << m.error().message;
-  const Stages& dv = *chooseMethod("dv", {})->stages;
+  const Method desired = *chooseMethod("dv", {});
+  const Stages& dv = *desired.stages;
   for (const std::string_view stage : stageNames())
     EXPECT_EQ(stageChoice(*m->stages, stage), stageChoice(dv, stage));
 }

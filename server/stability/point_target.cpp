@@ -46,7 +46,7 @@ void PointTarget::recordUpload(VkCommandBuffer command) const {
 std::vector<float> PointTarget::visibility(const Device& device) const {
   const std::vector<std::byte> bytes = downloaded(device, target_.visibility, sizeof(float));
   std::vector<float> visibility(points_);
-  std::memcpy(visibility.data(), bytes.data(), points_ * sizeof(float));
+  if (points_ > 0) std::memcpy(visibility.data(), bytes.data(), points_ * sizeof(float));
   return visibility;
 }
 

@@ -203,9 +203,8 @@ std::optional<std::string> whyInvalid(glm::uvec2 size, const std::vector<Method>
     return fmt::format("size: {}x{} pixels; each side must be in [1, {}]", size.x, size.y, most);
   if (methods.empty()) return "methods: none is given";
   for (const Method& method : methods)
-    if (method.stages && std::max(method.settings.width, method.settings.height) > limit)
-      return fmt::format("method {}: this device's maps have at most {} texels a side", method.label(),
-                         limit);
+    if (method.stages)
+      if (auto why = whyTooLarge(method, device)) return fmt::format("method {}: {}", method.label(), *why);
   return std::nullopt;
 }
 

@@ -23,7 +23,7 @@ struct ResidentScene {
 
 struct JobContext {
   const Device& device;
-  const FramePipelines& pipelines;
+  FramePipelines& pipelines;
   const ViewTarget& target;  // of the job's size
   ResidentScene& scene;
 };

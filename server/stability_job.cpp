@@ -134,22 +134,24 @@ class MethodRun {
         target_(target),
         method_(method),
         frame_(stage.enter(0), method),
-        bindings_(hasMap(method) ? std::optional(frame_.bindingsAt(target.target())) : std::nullopt),
-        plan_(frame_.passes()) {
-    // The maps alone. Without a map the points are asked directly.
-    std::erase_if(plan_, [&](const Pass& pass) {
-      return !hasMap(method) || pass.name == "resolve" || pass.name == "shade";
-    });
-  }
+        bindings_(hasMap(method) ? std::optional(frame_.bindingsAt(target.target())) : std::nullopt) {}
 
-  // The frame's states of all points.
-  Result<std::vector<PointState>> states(unsigned f, const Interrupt& interrupt) {
+  enum class Extent { maps, picture };
+
+  // The frame's states of all points; frames in order, because a method may remember the one before.
+  Result<std::vector<PointState>> states(unsigned f, const Interrupt& interrupt, Extent extent = Extent::maps) {
     const FrameView view = stage_.enter(f);
     frame_.look(view);
     PointsInFrame points = stage_.pointsIn(f, view);
-    if (plan_.empty()) {
+    std::vector<Pass> passes = frame_.passes();
+    // Without a map the points are asked directly.
+    if (extent == Extent::maps)
+      std::erase_if(passes, [&](const Pass& pass) {
+        return !hasMap(method_) || pass.name == "resolve" || pass.name == "shade";
+      });
+    if (passes.empty()) {
       if (auto error = interrupt.raised()) return std::unexpected(*error);
-    } else if (auto run = runFrame(context_.device, plan_, interrupt); !run) {
+    } else if (auto run = runFrame(context_.device, passes, interrupt); !run) {
       return std::unexpected(run.error());
     }
     const std::vector<float> visibility = ask(points.samples, view);
@@ -162,10 +164,10 @@ class MethodRun {
   shared::Plan plan() const { return frame_.downloadPlan(); }
 
   Result<StabilityPicture> picture(const Highlights::Pick& pick, const Interrupt& interrupt) {
-    auto now = states(pick.frame, interrupt);
+    if (pick.frame > 0)
+      if (auto before = states(pick.frame - 1, interrupt); !before) return std::unexpected(before.error());
+    auto now = states(pick.frame, interrupt, Extent::picture);
     if (!now) return std::unexpected(now.error());
-    if (auto run = runFrame(context_.device, frame_.passes(), interrupt); !run)
-      return std::unexpected(run.error());
     StabilityPicture picture{.frame = pick.frame,
                              .size = context_.target.size(),
                              .colour = downloaded(context_.device, context_.target.colour, 4),
@@ -198,7 +200,6 @@ class MethodRun {
   const Method& method_;
   Frame frame_;
   std::optional<BindingSet> bindings_;
-  std::vector<Pass> plan_;  // the passes up to the maps; none without one
 };
 
 Result<void> runMethod(const JobContext& context, const Stage& stage, PointTarget& target,

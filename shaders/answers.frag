@@ -1,7 +1,8 @@
 #version 460
 #extension GL_GOOGLE_include_directive : require
 // What answered each view sample, for the measures: outside the timed frame.
-#include "receiver.glsl"
+#include "choose_view.glsl"
+#include "stored_depth.glsl"
 
 layout(location = 0) out uvec4 outAnswer;
 
@@ -35,13 +36,12 @@ void main() {
   Answer a = Answer(kNoShadowView, 0, 0.0, 0);
   if (facesLight(s)) {
     a.facesLight = 1;
-    for (uint view = 0; view < kPlanViews && a.view == kNoShadowView; ++view) {
-      if (!covers(view, s)) continue;
-      const Receiver r = receiverIn(view, s);
-      const uvec2 texel = uvec2(floor(r.texel));
-      a.view = view;
-      a.texel = texel.y * frame.storeSize.x + texel.x;
-      a.footprint = footprint(view, s);
+    const Choice c = chooseView(s);
+    if (c.view != kNoShadowView) {
+      const ivec2 texel = texelIn(c.view, receiverIn(c.view, s).texel);
+      a.view = c.view;
+      a.texel = indexInStore(c.view, texel);
+      a.footprint = footprint(c.view, s);
     }
   }
   outAnswer = uvec4(a.view, a.texel, floatBitsToUint(a.footprint), a.facesLight);

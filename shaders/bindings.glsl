@@ -15,6 +15,7 @@ layout(set = 0, binding = kBindPlan, scalar) buffer PlanBlock { Plan plan; };
 layout(set = 0, binding = kBindCommands, scalar) writeonly buffer CommandBlock { DrawCommand commands[]; };
 layout(set = 0, binding = kBindVisible, scalar) buffer VisibleBlock { uvec2 visible[]; };
 layout(set = 0, binding = kBindCounts, scalar) writeonly buffer CountBlock { uint counts[]; };
+layout(set = 0, binding = kBindLinear, scalar) buffer LinearBlock { uint linearStore[]; };
 layout(set = 0, binding = kBindVertices) uniform usamplerBuffer vertexTexels;
 layout(set = 0, binding = kBindAttributes) uniform usamplerBuffer attributeTexels;
 layout(set = 0, binding = kBindTriangles) uniform usamplerBuffer triangleTexels;

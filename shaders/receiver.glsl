@@ -10,7 +10,7 @@
 #include "light.glsl"
 
 struct Receiver {
-  vec2 texel;          // position in the store, texels
+  vec2 texel;          // position in the view's map, texels
   float depth;         // with bias; greater is nearer to the light
   vec2 depthPerTexel;  // slope of the receiver's plane
 };
@@ -20,7 +20,7 @@ Receiver receiverIn(uint view, ViewSample s) {
   const vec4 clip = v.shadowFromWorld * vec4(s.wsPosition, 1);
   const vec3 shadow = clip.xyz / clip.w;
   Receiver r;
-  r.texel = vec2(v.rectOffset) + (shadow.xy * 0.5 + 0.5) * vec2(v.rectSize);
+  r.texel = (shadow.xy * 0.5 + 0.5) * vec2(v.rectSize);
 
   // Planes transform by the inverse transposed; in homogeneous coordinates that holds for a perspective light too.
   const vec4 plane = vec4(s.wsNormal, -dot(s.wsNormal, s.wsPosition)) * v.worldFromShadow;
@@ -37,22 +37,5 @@ Receiver receiverIn(uint view, ViewSample s) {
 
 // The receiver's depth at the centre of a texel.
 float depthAt(Receiver r, ivec2 texel) { return r.depth + dot(r.depthPerTexel, vec2(texel) + 0.5 - r.texel); }
-
-// 1 if nothing in this texel is nearer to the light than the receiver. A receiver that ends within the texel may have
-// its plane reach past the far plane there: nothing that a map holds is farther.
-float litBy(Receiver r, ivec2 texel) {
-  return max(depthAt(r, texel), 0) >= texelFetch(store, texel, 0).r ? 1.0 : 0.0;
-}
-
-// The plan's most views: a constant, so that a plan of one is read at a constant place, which is cheap everywhere.
-layout(constant_id = 0) const uint kPlanViews = 1;
-
-// Whether a shadow view has an answer for the sample. The first that has one gives it; where none has, the sample counts
-// as lit.
-bool covers(uint view, ViewSample s) {
-  if (view >= plan.viewCount || plan.views[view].empty != 0) return false;
-  const vec4 clip = plan.views[view].shadowFromWorld * vec4(s.wsPosition, 1);
-  return clip.w > 0 && all(lessThan(abs(clip.xy), vec2(clip.w)));
-}
 
 #endif

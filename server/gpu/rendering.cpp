@@ -16,6 +16,18 @@ VkRenderingAttachmentInfo attachment(const GpuImage& image, VkImageLayout layout
           .storeOp = VK_ATTACHMENT_STORE_OP_STORE};
 }
 
+void render(VkCommandBuffer command, const VkRenderingInfo& info, const std::function<void()>& draw) {
+  const VkRect2D area = info.renderArea;
+  vkCmdBeginRendering(command, &info);
+  const VkViewport viewport{0, 0, static_cast<float>(area.extent.width), static_cast<float>(area.extent.height),
+                            0, 1};
+  vkCmdSetViewport(command, 0, 1, &viewport);
+  vkCmdSetScissor(command, 0, 1, &area);
+  vkCmdSetCullMode(command, VK_CULL_MODE_NONE);
+  draw();
+  vkCmdEndRendering(command);
+}
+
 }  // namespace
 
 void renderInto(VkCommandBuffer command, const std::vector<const GpuImage*>& colours, const GpuImage* depth,
@@ -31,22 +43,20 @@ void renderInto(VkCommandBuffer command, const std::vector<const GpuImage*>& col
     depthAttachment = attachment(*depth, kDepth);
   }
   const VkExtent2D extent = depth ? depth->extent() : colours.front()->extent();
-  const VkRect2D area{{0, 0}, extent};
   const VkRenderingInfo info{.sType = VK_STRUCTURE_TYPE_RENDERING_INFO,
-                             .renderArea = area,
+                             .renderArea = {{0, 0}, extent},
                              .layerCount = 1,
                              .colorAttachmentCount = static_cast<std::uint32_t>(attachments.size()),
                              .pColorAttachments = attachments.data(),
                              .pDepthAttachment = depth ? &depthAttachment : nullptr};
-  vkCmdBeginRendering(command, &info);
-  const VkViewport viewport{0, 0, static_cast<float>(extent.width), static_cast<float>(extent.height), 0, 1};
-  vkCmdSetViewport(command, 0, 1, &viewport);
-  vkCmdSetScissor(command, 0, 1, &area);
-  vkCmdSetCullMode(command, VK_CULL_MODE_NONE);
-  draw();
-  vkCmdEndRendering(command);
+  render(command, info, draw);
   for (const GpuImage* image : colours) transition(command, *image, kColour, kRead);
   if (depth) transition(command, *depth, kDepth, kRead);
+}
+
+void renderNowhere(VkCommandBuffer command, VkExtent2D extent, const std::function<void()>& draw) {
+  render(command,
+         {.sType = VK_STRUCTURE_TYPE_RENDERING_INFO, .renderArea = {{0, 0}, extent}, .layerCount = 1}, draw);
 }
 
 }  // namespace sundial

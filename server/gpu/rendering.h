@@ -13,4 +13,7 @@ namespace sundial {
 void renderInto(VkCommandBuffer, const std::vector<const GpuImage*>& colours, const GpuImage* depth,
                 const std::function<void()>& draw);
 
+// Draws without attachments: what fragment shaders write to buffers is all that stays. The area begins at 0, 0.
+void renderNowhere(VkCommandBuffer, VkExtent2D, const std::function<void()>& draw);
+
 }  // namespace sundial

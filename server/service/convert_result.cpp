@@ -37,6 +37,8 @@ const char* kindName(Parameter::Kind kind) {
       return "integer";
     case Parameter::Kind::size:
       return "size";
+    case Parameter::Kind::list:
+      return "list";
     case Parameter::Kind::choice:
       return "choice";
   }

@@ -162,6 +162,10 @@ shared::FrameConstants frameConstants(const Scene& scene, const View& view, cons
   c.wsLightPosition = light.kind == LightKind::spot ? light.position - origin : dvec3(0);
   c.lsBoundsMin = space.bounds.min;
   c.lsBoundsMax = space.bounds.max;
+  double farthest = 2 * nearZ;
+  for (const dvec3& corner : corners(scene.bounds))
+    farthest = std::max(farthest, glm::dot(forward, corner - view.eye));
+  c.sceneDepth = static_cast<float>(farthest);
   return c;
 }
 

@@ -3,6 +3,8 @@
 #include <cstring>
 
 #include "gpu/rendering.h"
+#include "shadow/host_cull.h"
+#include "shadow/plan_settings.h"
 #include "shared/bindings.h"
 
 namespace sundial {
@@ -11,6 +13,7 @@ namespace {
 
 constexpr VkBufferUsageFlags kStorage = VK_BUFFER_USAGE_STORAGE_BUFFER_BIT;
 constexpr VkBufferUsageFlags kIndirect = kStorage | VK_BUFFER_USAGE_INDIRECT_BUFFER_BIT;
+constexpr VkBufferUsageFlags kCopied = VK_BUFFER_USAGE_TRANSFER_SRC_BIT;
 
 // As near as the reference looks.
 constexpr double kBiasOfDiagonal = 2e-5;
@@ -24,11 +27,11 @@ shared::FrameConstants constantsOf(const FrameView& view, const Method& method) 
   const auto& settings = method.settings;
   c.drawCount = view.scene.drawCount();
   for (std::uint32_t b = 0; b < shared::kBuckets; ++b) c.drawBuckets[b] = view.scene.buckets()[b];
-  c.storeSize = {settings.width, settings.height};
   c.biasTexels = static_cast<float>(settings.biasTexels);
   c.biasWorld =
       static_cast<float>(settings.biasWorld.value_or(kBiasOfDiagonal * view.scene.scene().bounds.diagonal()));
   c.pcfKernel = settings.kernel;
+  settle(c, method, view.origin);
   return c;
 }
 
@@ -41,8 +44,9 @@ VkDeviceSize pixels(const FrameView& view) {
 Frame::Frame(const FrameView& view, const Method& method)
     : view_(view),
       method_(method),
-      shadowViews_(method.stages ? 1 : 0),
-      constants_(view.device, sizeof(shared::FrameConstants), VK_BUFFER_USAGE_UNIFORM_BUFFER_BIT,
+      shadowViews_(shadowViewsOf(method)),
+      pipelines_(method.stages ? std::optional(view.pipelines.of(method)) : std::nullopt),
+      constants_(view.device, sizeof(shared::FrameConstants), VK_BUFFER_USAGE_UNIFORM_BUFFER_BIT | kCopied,
                  MemoryUse::upload),
       analysis_(view.device, sizeof(shared::Analysis), kStorage),
       plan_(view.device, sizeof(shared::Plan), kStorage),
@@ -56,14 +60,18 @@ Frame::Frame(const FrameView& view, const Method& method)
       counts_(view.device, (1 + shadowViews_) * shared::kBuckets * sizeof(std::uint32_t), kIndirect),
       nearest_(makeSampler(view.device, VK_FILTER_NEAREST)),
       bindings_(view.device, view.pipelines.layout) {
-  *constants_.mapped<shared::FrameConstants>() = constantsOf(view, method);
+  const shared::FrameConstants constants = constantsOf(view, method);
+  *constants_.mapped<shared::FrameConstants>() = constants;
   if (method.stages) {
-    const VkExtent2D extent{method.settings.width, method.settings.height};
-    map_.emplace(view.device, extent, VK_FORMAT_D32_SFLOAT,
-                 VK_IMAGE_USAGE_DEPTH_STENCIL_ATTACHMENT_BIT | VK_IMAGE_USAGE_SAMPLED_BIT);
-    view.device.submit([&](VkCommandBuffer command) {
-      transition(command, *map_, VK_IMAGE_LAYOUT_UNDEFINED, VK_IMAGE_LAYOUT_SHADER_READ_ONLY_OPTIMAL);
-    });
+    store_.emplace(view.device, method, constants);
+    if (method.settings.plan == PlanTiming::readback) {
+      hostPlan_.emplace(view.device, sizeof(shared::Plan), 0, MemoryUse::readback);
+      hostCommands_.emplace(view.device,
+                            VkDeviceSize{view.scene.drawCount()} * shadowViews_ * sizeof(shared::DrawCommand),
+                            kIndirect, MemoryUse::upload);
+      hostCounts_.emplace(view.device, shadowViews_ * shared::kBuckets * sizeof(std::uint32_t), kIndirect,
+                          MemoryUse::upload);
+    }
   } else {
     hostPositions_.emplace(view.device, pixels(view) * sizeof(glm::uvec4), 0, MemoryUse::readback);
     hostNormals_.emplace(view.device, pixels(view) * sizeof(glm::uvec4), 0, MemoryUse::readback);
@@ -81,11 +89,15 @@ void Frame::bindTo(BindingSet& bindings, const ViewTarget& samples) const {
   bindings.set(shared::kBindCommands, commands_);
   bindings.set(shared::kBindVisible, visible_);
   bindings.set(shared::kBindCounts, counts_);
-  // Without a map it is unread, but see BindingSet.
-  bindings.set(shared::kBindStore, map_ ? *map_ : samples.visibility, nearest_);
+  if (store_) return store_->bindTo(bindings);
+  // Without a map these are unread, but see BindingSet.
+  bindings.set(shared::kBindStore, samples.visibility, nearest_);
+  bindings.set(shared::kBindLinear, plan_);
 }
 
 void Frame::look(const FrameView& view) {
+  // What was analysed lies relative to its origin.
+  analysed_ = view.origin == view_.origin;
   view_.light = view.light;
   view_.origin = view.origin;
   view_.constants = view.constants;
@@ -96,19 +108,37 @@ std::vector<Pass> Frame::passes() const {
   const auto on = [this](void (Frame::*pass)(VkCommandBuffer) const) {
     return [this, pass](VkCommandBuffer command) { (this->*pass)(command); };
   };
+  const Pass gbuffer{.name = "gbuffer", .record = on(&Frame::gbuffer)};
+  const Pass shade{.name = "shade", .record = on(&Frame::shade)};
   if (method_.row->technique == Technique::rayTraced)
-    return {{.name = "gbuffer", .record = on(&Frame::gbuffer)},
+    return {gbuffer,
             {.name = "readback", .record = on(&Frame::readSamples)},
             {.name = "trace", .host = [this] { trace(); }, .rays = pixels(view_)},
             {.name = "resolve", .record = on(&Frame::takeVisibility)},
-            {.name = "shade", .record = on(&Frame::shade)}};
-  return {{.name = "gbuffer", .record = on(&Frame::gbuffer)},
-          {.name = "analyze", .record = on(&Frame::analyze)},
-          {.name = "plan", .record = on(&Frame::plan)},
-          {.name = "cull", .record = [this](VkCommandBuffer command) { cull(command, 1, shadowViews_); }},
-          {.name = "store", .record = on(&Frame::store)},
-          {.name = "resolve", .record = on(&Frame::resolve)},
-          {.name = "shade", .record = on(&Frame::shade)}};
+            shade};
+
+  const Pass analyze{.name = "analyze", .record = on(&Frame::analyze)};
+  const Pass plan{.name = "plan", .record = on(&Frame::plan)};
+  const Pass cull{.name = "cull", .record = [this](VkCommandBuffer command) { this->cull(command, 1, shadowViews_); }};
+  const Pass store{.name = "store", .record = on(&Frame::store)};
+  const Pass resolve{.name = "resolve", .record = on(&Frame::resolve)};
+  switch (method_.settings.plan) {
+    case PlanTiming::gpu:
+      return {gbuffer, analyze, plan, cull, store, resolve, shade};
+    case PlanTiming::readback:
+      return {gbuffer,
+              analyze,
+              plan,
+              {.name = "readback", .record = on(&Frame::readPlan)},
+              {.name = "cull", .host = [this] { cullByHost(); }},
+              store,
+              resolve,
+              shade};
+    case PlanTiming::delayed:
+      if (analysed_) return {gbuffer, plan, cull, store, resolve, shade, analyze};
+      return {gbuffer, analyze, plan, cull, store, resolve, shade};
+  }
+  return {};
 }
 
 // What the camera sees: the clusters that reach its frustum, their ids and depth, then the view samples.
@@ -116,7 +146,8 @@ void Frame::gbuffer(VkCommandBuffer command) const {
   cull(command, shared::kCameraSlot, 1);
   bindings_.bind(command);
   renderInto(command, {&view_.target.ids}, &view_.target.depth, [&] {
-    drawSlot(command, shared::kCameraSlot, view_.pipelines.gbuffer, view_.pipelines.gbufferMasked, true);
+    drawSlot(command, {commands_, counts_, shared::kCameraSlot}, view_.pipelines.gbuffer,
+             view_.pipelines.gbufferMasked, true);
   });
   renderInto(command, {&view_.target.positions, &view_.target.normals}, nullptr, [&] {
     vkCmdBindPipeline(command, VK_PIPELINE_BIND_POINT_GRAPHICS, view_.pipelines.samples);
@@ -124,26 +155,58 @@ void Frame::gbuffer(VkCommandBuffer command) const {
   });
 }
 
-// What the view samples say about the volume; nothing to do where the host knows it.
+bool Frame::asksSamples() const {
+  return method_.stages->volume == Volume::samples || method_.stages->volume == Volume::inscribed;
+}
+
+// What the view samples say about the volume and its parts; nothing where the host knows the volume, but for where
+// the camera's depth is cut.
 void Frame::analyze(VkCommandBuffer command) const {
-  if (method_.stages->volume != Volume::samples) return;
+  const Stages& stages = *method_.stages;
   bindings_.bind(command);
-  const VkDeviceSize maxOffset = offsetof(shared::Analysis, lsBoundsMax);
-  vkCmdFillBuffer(command, analysis_, 0, maxOffset, 0xffffffffu);
-  vkCmdFillBuffer(command, analysis_, maxOffset, sizeof(shared::Analysis) - maxOffset, 0);
-  barrier(command);
-  vkCmdBindPipeline(command, VK_PIPELINE_BIND_POINT_COMPUTE, view_.pipelines.analyzeBounds);
-  vkCmdDispatch(command, groups(static_cast<std::uint32_t>(pixels(view_)), 64 * 16), 1, 1);
-  barrier(command);
+  if (asksSamples()) {
+    const VkBufferCopy axes{offsetof(shared::FrameConstants, lightFromWorld),
+                            offsetof(shared::Analysis, lightFromWorld), sizeof(glm::mat4)};
+    vkCmdCopyBuffer(command, constants_, analysis_, 1, &axes);
+    constexpr VkDeviceSize kOnes = offsetof(shared::Analysis, depthMin), kZeros = offsetof(shared::Analysis, depthMax);
+    vkCmdFillBuffer(command, analysis_, kOnes, kZeros - kOnes, 0xffffffffu);
+    vkCmdFillBuffer(command, analysis_, kZeros, sizeof(shared::Analysis) - kZeros, 0);
+    barrier(command);
+  }
+  const std::uint32_t samples = groups(static_cast<std::uint32_t>(pixels(view_)), 64 * 16);
+  if (cutsDepth(stages.partition)) {
+    if (asksSamples() && stages.partition != Partition::manual)
+      dispatch(command, pipelines_->analyzeDepths, samples);
+    dispatch(command, pipelines_->analyzeSplits, 1);
+  }
+  if (asksSamples()) dispatch(command, pipelines_->analyzeSegments, samples);
+  if (stages.partition == Partition::tiles && stages.focus == Focus::loose)
+    dispatch(command, pipelines_->analyzeCasters, groups(view_.scene.drawCount(), 64));
 }
 
 // Where each map lies and what it covers.
 void Frame::plan(VkCommandBuffer command) const {
   bindings_.bind(command);
-  vkCmdBindPipeline(command, VK_PIPELINE_BIND_POINT_COMPUTE,
-                    view_.pipelines.planSingle.at(method_.stages->volume));
-  vkCmdDispatch(command, 1, 1, 1);
+  dispatch(command, pipelines_->plan, 1);
+}
+
+void Frame::dispatch(VkCommandBuffer command, VkPipeline pipeline, std::uint32_t groups) const {
+  vkCmdBindPipeline(command, VK_PIPELINE_BIND_POINT_COMPUTE, pipeline);
+  vkCmdDispatch(command, groups, 1, 1);
   barrier(command);
+}
+
+void Frame::readPlan(VkCommandBuffer command) const {
+  const VkBufferCopy all{0, 0, sizeof(shared::Plan)};
+  vkCmdCopyBuffer(command, plan_, *hostPlan_, 1, &all);
+  barrier(command);
+}
+
+void Frame::cullByHost() const {
+  const std::size_t views = shadowViews_;
+  cullOnHost(view_.scene, view_.origin, *hostPlan_->mapped<shared::Plan>(),
+             {hostCommands_->mapped<shared::DrawCommand>(), views * view_.scene.drawCount()},
+             {hostCounts_->mapped<std::uint32_t>(), views * shared::kBuckets});
 }
 
 // Which clusters reach each of these views.
@@ -163,11 +226,11 @@ void Frame::cull(VkCommandBuffer command, std::uint32_t firstSlot, std::uint32_t
 // The shadow maps.
 void Frame::store(VkCommandBuffer command) const {
   bindings_.bind(command);
-  renderInto(command, {}, &*map_, [&] {
-    for (std::uint32_t v = 0; v < shadowViews_; ++v) {
-      push(command, v);
-      drawSlot(command, 1 + v, view_.pipelines.storeDepth, view_.pipelines.storeDepthMasked, false);
-    }
+  store_->record(command, [&](std::uint32_t view) {
+    push(command, view);
+    const Draws draws =
+        hostCommands_ ? Draws{*hostCommands_, *hostCounts_, view} : Draws{commands_, counts_, 1 + view};
+    drawSlot(command, draws, pipelines_->store, pipelines_->storeMasked, false);
   });
 }
 
@@ -184,8 +247,7 @@ void Frame::recordLookup(VkCommandBuffer command, const ViewTarget& points,
                          const BindingSet& bindings) const {
   bindings.bind(command);
   renderInto(command, {&points.visibility}, nullptr, [&] {
-    vkCmdBindPipeline(command, VK_PIPELINE_BIND_POINT_GRAPHICS,
-                      view_.pipelines.resolve.at(method_.stages->lookup));
+    vkCmdBindPipeline(command, VK_PIPELINE_BIND_POINT_GRAPHICS, pipelines_->resolve);
     vkCmdDraw(command, 3, 1, 0, 0);
   });
 }
@@ -221,12 +283,12 @@ void Frame::takeVisibility(VkCommandBuffer command) const {
 void Frame::recordAnswers(VkCommandBuffer command) const {
   bindings_.bind(command);
   renderInto(command, {&view_.target.answers}, nullptr, [&] {
-    vkCmdBindPipeline(command, VK_PIPELINE_BIND_POINT_GRAPHICS, view_.pipelines.answers);
+    vkCmdBindPipeline(command, VK_PIPELINE_BIND_POINT_GRAPHICS, pipelines_->answers);
     vkCmdDraw(command, 3, 1, 0, 0);
   });
 }
 
-void Frame::drawSlot(VkCommandBuffer command, std::uint32_t slot, VkPipeline opaque, VkPipeline masked,
+void Frame::drawSlot(VkCommandBuffer command, const Draws& draws, VkPipeline opaque, VkPipeline masked,
                      bool cullFaces) const {
   constexpr VkCullModeFlags kNone = VK_CULL_MODE_NONE;
   constexpr VkCullModeFlags kCullModes[] = {kNone, VK_CULL_MODE_BACK_BIT, VK_CULL_MODE_FRONT_BIT};
@@ -239,9 +301,9 @@ void Frame::drawSlot(VkCommandBuffer command, std::uint32_t slot, VkPipeline opa
     vkCmdSetCullMode(command, cullFaces ? kCullModes[bucket % shared::kFirstMaskedBucket] : kNone);
     view_.scene.bindVertices(command, isMasked);
     const VkDeviceSize first =
-        VkDeviceSize{slot} * view_.scene.drawCount() + firstChunk * shared::kDrawsPerChunk;
-    vkCmdDrawIndexedIndirectCount(command, commands_, first * sizeof(shared::DrawCommand), counts_,
-                                  (slot * shared::kBuckets + bucket) * sizeof(std::uint32_t),
+        VkDeviceSize{draws.slot} * view_.scene.drawCount() + firstChunk * shared::kDrawsPerChunk;
+    vkCmdDrawIndexedIndirectCount(command, draws.commands, first * sizeof(shared::DrawCommand), draws.counts,
+                                  (draws.slot * shared::kBuckets + bucket) * sizeof(std::uint32_t),
                                   chunks * shared::kDrawsPerChunk, sizeof(shared::DrawCommand));
   }
 }
@@ -259,17 +321,16 @@ shared::Plan Frame::downloadPlan() const {
   return plan;
 }
 
-std::uint64_t Frame::storeTexels() const {
-  return map_ ? std::uint64_t{map_->extent().width} * map_->extent().height : 0;
-}
+std::uint64_t Frame::storeTexels() const { return store_ ? store_->texels() : 0; }
 
-std::uint64_t Frame::storeBytes() const { return storeTexels() * sizeof(float); }
+std::uint64_t Frame::storeBytes() const { return store_ ? store_->bytes() : 0; }
 
 std::uint64_t Frame::totalBytes() const {
   std::uint64_t bytes = storeBytes();
   if (method_.stages)
     bytes += analysis_.size() + plan_.size() + commands_.size() + visible_.size() + counts_.size();
-  for (const auto* buffer : {&hostPositions_, &hostNormals_, &hostVisibility_})
+  for (const auto* buffer :
+       {&hostPlan_, &hostCommands_, &hostCounts_, &hostPositions_, &hostNormals_, &hostVisibility_})
     if (*buffer) bytes += (*buffer)->size();
   return bytes;
 }

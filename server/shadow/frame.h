@@ -6,6 +6,7 @@
 
 #include "reference/reference.h"
 #include "shadow/frame_pipelines.h"
+#include "shadow/frame_store.h"
 #include "shadow/method.h"
 #include "shadow/scene_buffers.h"
 #include "shadow/view_target.h"
@@ -24,7 +25,7 @@ struct Pass {
 // What all methods that render one view share.
 struct FrameView {
   const Device& device;
-  const FramePipelines& pipelines;
+  FramePipelines& pipelines;
   const SceneBuffers& scene;
   const ViewTarget& target;
   const Reference* reference;  // for Technique::rayTraced
@@ -39,9 +40,10 @@ class Frame {
   Frame(const Frame&) = delete;
   Frame& operator=(const Frame&) = delete;
 
-  // In the order of execution.
+  // In the order of execution. With plan=delayed the first frame asks its own samples, before it plans; all
+  // frames ask theirs at the end, for the frame after.
   std::vector<Pass> passes() const;
-  // The same frame from elsewhere, in other light: a view of the same scene, size and target.
+  // The next frame, from elsewhere or in other light: a view of the same scene, size and target.
   void look(const FrameView&);
   // The lookup at other samples than the view's, for methods with a map, after the passes up to `store`:
   // `points` holds the samples and gets their visibility. `bindings` are bindingsAt(points).
@@ -56,10 +58,19 @@ class Frame {
   std::uint64_t totalBytes() const;  // with the plan, the lists of culling and what analysis needs
 
  private:
+  // A range of indirect draws for each of some views.
+  struct Draws {
+    const Buffer& commands;
+    const Buffer& counts;
+    std::uint32_t slot;  // whose turn it is in both
+  };
+
   void gbuffer(VkCommandBuffer) const;
   void analyze(VkCommandBuffer) const;
   void plan(VkCommandBuffer) const;
   void cull(VkCommandBuffer, std::uint32_t firstSlot, std::uint32_t slots) const;
+  void readPlan(VkCommandBuffer) const;
+  void cullByHost() const;
   void store(VkCommandBuffer) const;
   void resolve(VkCommandBuffer) const;
   void shade(VkCommandBuffer) const;
@@ -68,17 +79,22 @@ class Frame {
   void takeVisibility(VkCommandBuffer) const;
 
   void bindTo(BindingSet&, const ViewTarget& samples) const;
-  void drawSlot(VkCommandBuffer, std::uint32_t slot, VkPipeline opaque, VkPipeline masked,
-                bool cullFaces) const;
+  bool asksSamples() const;
+  void dispatch(VkCommandBuffer, VkPipeline, std::uint32_t groups) const;
+  void drawSlot(VkCommandBuffer, const Draws&, VkPipeline opaque, VkPipeline masked, bool cullFaces) const;
   void push(VkCommandBuffer, std::uint32_t) const;
 
   FrameView view_;
   Method method_;
   std::uint32_t shadowViews_;  // the plan's most
+  std::optional<MethodPipelines> pipelines_;  // with a map
   Buffer constants_, analysis_, plan_, commands_, visible_, counts_;
-  std::optional<GpuImage> map_;
+  std::optional<FrameStore> store_;  // with a map
   Sampler nearest_;
   BindingSet bindings_;
+  // plan=readback alone: the plan on its way to the host, and what the host leaves of the draws.
+  std::optional<Buffer> hostPlan_, hostCommands_, hostCounts_;
+  bool analysed_ = false;  // by the frame before, with the same origin
   // Ray tracing alone: view samples on their way to the host, visibility on its way back.
   std::optional<Buffer> hostPositions_, hostNormals_, hostVisibility_;
 };

@@ -1,68 +1,147 @@
 #include "shadow/frame_pipelines.h"
 
+#include "shadow/plan_settings.h"
 #include "shadow/scene_buffers.h"
 
 namespace sundial {
 
 namespace {
 
-GraphicsPipelineInfo geometry(std::string_view vertex, std::string_view fragment, bool ids, bool masked) {
+GraphicsPipelineInfo geometry(std::string_view vertex, std::string_view fragment, bool masked) {
   return {.vertexShader = vertex,
           .fragmentShader = fragment,
           .vertexBindings = SceneBuffers::vertexBindings(masked),
-          .vertexAttributes = SceneBuffers::vertexAttributes(ids, masked),
-          .colourFormats = ids ? std::vector{VK_FORMAT_R32G32_UINT} : std::vector<VkFormat>{},
-          .depth = true,
-          .depthClamp = !ids};
+          .vertexAttributes = SceneBuffers::vertexAttributes(false, masked)};
 }
 
-GraphicsPipelineInfo fullscreen(std::string_view fragment, std::vector<VkFormat> formats,
-                                Specialization specialization = {}) {
+GraphicsPipelineInfo gbufferOf(std::string_view vertex, std::string_view fragment, bool masked) {
+  GraphicsPipelineInfo info = geometry(vertex, fragment, masked);
+  info.vertexAttributes = SceneBuffers::vertexAttributes(true, masked);
+  info.colourFormats = {VK_FORMAT_R32G32_UINT};
+  info.depth = true;
+  return info;
+}
+
+GraphicsPipelineInfo storeOf(std::string_view vertex, std::string_view fragment, bool masked, bool depth) {
+  GraphicsPipelineInfo info = geometry(vertex, fragment, masked);
+  info.depth = depth;
+  info.depthClamp = true;
+  return info;
+}
+
+GraphicsPipelineInfo fullscreenOf(std::string_view fragment, std::vector<VkFormat> formats,
+                                  Specialization specialization = {}) {
   return {.vertexShader = "fullscreen.vert",
           .fragmentShader = fragment,
           .specialization = std::move(specialization),
           .colourFormats = std::move(formats)};
 }
 
-std::map<Volume, Pipeline> makePlanSingle(const Device& device, const BindingLayout& layout) {
-  std::map<Volume, Pipeline> out;
-  for (const Volume volume : {Volume::scene, Volume::samples})
-    out.emplace(volume, makeComputePipeline(device, layout, "plan_single.comp",
-                                            {volume == Volume::samples ? 1u : 0u}));
-  return out;
+// The constants of the shaders, by the stages' choices. Numbers as the shaders name them.
+
+Specialization splitsConstants(const Stages& stages) {
+  const std::uint32_t scheme = [&] {
+    switch (stages.partition) {
+      case Partition::manual:
+        return 0u;
+      case Partition::uniform:
+        return 1u;
+      case Partition::practical:
+        return 3u;
+      case Partition::adaptive:
+        return 4u;
+      case Partition::kmeans:
+        return 5u;
+      default:
+        return 2u;
+    }
+  }();
+  return {scheme, stages.volume == Volume::samples, stages.focus == Focus::snapped};
 }
 
-std::map<Lookup, Pipeline> makeResolve(const Device& device, const BindingLayout& layout) {
-  std::map<Lookup, Pipeline> out;
-  for (const auto& [lookup, shader] :
-       {std::pair(Lookup::hard, "lookup_hard.frag"), {Lookup::pcf, "lookup_pcf.frag"}})
-    out.emplace(lookup, makeGraphicsPipeline(device, layout, fullscreen(shader, {VK_FORMAT_R32_SFLOAT})));
-  return out;
+Specialization segmentsConstants(const Stages& stages) {
+  if (stages.partition == Partition::tiles) return {3};
+  if (stages.partition == Partition::single) return {0};
+  return {stages.focus == Focus::snapped ? 2u : 1u};
+}
+
+std::string_view planShader(Partition partition) {
+  if (partition == Partition::tiles) return "plan_tiles.comp";
+  return partition == Partition::single ? "plan_single.comp" : "plan_splits.comp";
+}
+
+Specialization planConstants(const Stages& stages) {
+  if (stages.partition == Partition::tiles)
+    return {stages.focus == Focus::loose ? 0u : stages.focus == Focus::depth ? 1u : 2u,
+            stages.resolution == Resolution::ranked};
+  if (stages.partition == Partition::single) return {stages.volume == Volume::samples};
+  return {stages.focus == Focus::loose ? 0u : stages.focus == Focus::snapped ? 2u : 1u};
+}
+
+Specialization lookupConstants(const Method& method) {
+  const Stages& stages = *method.stages;
+  const std::uint32_t choice = [&] {
+    if (stages.partition == Partition::tiles) return 4u;
+    if (stages.partition == Partition::single) return 0u;
+    if (method.settings.choose == Choose::tightest) return 3u;
+    return stages.focus == Focus::snapped ? 2u : 1u;
+  }();
+  return {stages.storage == Storage::linear, choice, shadowViewsOf(method), method.settings.blend > 0};
 }
 
 }  // namespace
 
 FramePipelines::FramePipelines(const Device& device)
     : layout(device),
-      gbuffer(makeGraphicsPipeline(device, layout, geometry("gbuffer.vert", "gbuffer.frag", true, false))),
-      gbufferMasked(makeGraphicsPipeline(device, layout,
-                                         geometry("gbuffer_masked.vert", "gbuffer_masked.frag", true, true))),
+      gbuffer(makeGraphicsPipeline(device, layout, gbufferOf("gbuffer.vert", "gbuffer.frag", false))),
+      gbufferMasked(
+          makeGraphicsPipeline(device, layout, gbufferOf("gbuffer_masked.vert", "gbuffer_masked.frag", true))),
       samples(makeGraphicsPipeline(
           device, layout,
-          fullscreen("samples.frag", {VK_FORMAT_R32G32B32A32_UINT, VK_FORMAT_R32G32B32A32_UINT}))),
-      analyzeBounds(makeComputePipeline(device, layout, "analyze_bounds.comp")),
-      planSingle(makePlanSingle(device, layout)),
+          fullscreenOf("samples.frag", {VK_FORMAT_R32G32B32A32_UINT, VK_FORMAT_R32G32B32A32_UINT}))),
       cullTest(makeComputePipeline(device, layout, "cull_test.comp")),
       cullWrite(makeComputePipeline(device, layout, "cull_write.comp")),
-      storeDepth(makeGraphicsPipeline(device, layout, geometry("store_depth.vert", "", false, false))),
-      storeDepthMasked(makeGraphicsPipeline(
-          device, layout, geometry("store_depth_masked.vert", "store_depth_masked.frag", false, true))),
-      resolve(makeResolve(device, layout)),
-      answers(
-          makeGraphicsPipeline(device, layout, fullscreen("answers.frag", {VK_FORMAT_R32G32B32A32_UINT}))),
       shade(makeGraphicsPipeline(device, layout,
-                                 fullscreen("shade.frag", {VK_FORMAT_R8G8B8A8_UNORM}, {VK_FALSE}))),
+                                 fullscreenOf("shade.frag", {VK_FORMAT_R8G8B8A8_UNORM}, {VK_FALSE}))),
       shadePlain(makeGraphicsPipeline(device, layout,
-                                      fullscreen("shade.frag", {VK_FORMAT_R8G8B8A8_UNORM}, {VK_TRUE}))) {}
+                                      fullscreenOf("shade.frag", {VK_FORMAT_R8G8B8A8_UNORM}, {VK_TRUE}))),
+      device_(device),
+      storeDepth_(makeGraphicsPipeline(device, layout, storeOf("store_depth.vert", "", false, true))),
+      storeDepthMasked_(makeGraphicsPipeline(
+          device, layout, storeOf("store_depth_masked.vert", "store_depth_masked.frag", true, true))),
+      storeLinear_(
+          makeGraphicsPipeline(device, layout, storeOf("store_depth.vert", "store_linear.frag", false, false))),
+      storeLinearMasked_(makeGraphicsPipeline(
+          device, layout, storeOf("store_depth_masked.vert", "store_linear_masked.frag", true, false))) {}
+
+MethodPipelines FramePipelines::of(const Method& method) {
+  const Stages& stages = *method.stages;
+  const bool linear = stages.storage == Storage::linear;
+  const bool histogram = stages.partition == Partition::adaptive || stages.partition == Partition::kmeans;
+  const std::string_view lookup = stages.lookup == Lookup::pcf ? "lookup_pcf.frag" : "lookup_hard.frag";
+  return {.analyzeDepths = compute("analyze_depths.comp", {histogram, stages.focus == Focus::snapped}),
+          .analyzeSplits = compute("analyze_splits.comp", splitsConstants(stages)),
+          .analyzeSegments = compute("analyze_segments.comp", segmentsConstants(stages)),
+          .analyzeCasters = compute("analyze_casters.comp", {}),
+          .plan = compute(planShader(stages.partition), planConstants(stages)),
+          .store = linear ? storeLinear_ : storeDepth_,
+          .storeMasked = linear ? storeLinearMasked_ : storeDepthMasked_,
+          .resolve = fullscreen(lookup, VK_FORMAT_R32_SFLOAT, lookupConstants(method)),
+          .answers = fullscreen("answers.frag", VK_FORMAT_R32G32B32A32_UINT, lookupConstants(method))};
+}
+
+VkPipeline FramePipelines::compute(std::string_view shader, const Specialization& constants) {
+  const auto [found, added] = variants_.try_emplace({shader, constants});
+  if (added) found->second = makeComputePipeline(device_, layout, shader, constants);
+  return found->second;
+}
+
+VkPipeline FramePipelines::fullscreen(std::string_view shader, VkFormat format,
+                                      const Specialization& constants) {
+  const auto [found, added] = variants_.try_emplace({shader, constants});
+  if (added)
+    found->second = makeGraphicsPipeline(device_, layout, fullscreenOf(shader, {format}, constants));
+  return found->second;
+}
 
 }  // namespace sundial

@@ -2,24 +2,39 @@
 #pragma once
 
 #include <map>
+#include <string>
 
 #include "gpu/pipeline.h"
-#include "shadow/stages.h"
+#include "shadow/method.h"
 
 namespace sundial {
 
-struct FramePipelines {
+// What the stages' choices select.
+struct MethodPipelines {
+  VkPipeline analyzeDepths, analyzeSplits, analyzeSegments, analyzeCasters, plan;
+  VkPipeline store, storeMasked;
+  VkPipeline resolve, answers;
+};
+
+class FramePipelines {
+ public:
   explicit FramePipelines(const Device&);
+
+  // Made when they are first asked for. A method with a map; one without has no pipelines of its own.
+  MethodPipelines of(const Method&);
 
   BindingLayout layout;
   Pipeline gbuffer, gbufferMasked, samples;
-  Pipeline analyzeBounds;
-  std::map<Volume, Pipeline> planSingle;
   Pipeline cullTest, cullWrite;
-  Pipeline storeDepth, storeDepthMasked;
-  std::map<Lookup, Pipeline> resolve;
-  Pipeline answers;
   Pipeline shade, shadePlain;  // plain: a scene without textures and vertex colours
+
+ private:
+  VkPipeline compute(std::string_view shader, const Specialization&);
+  VkPipeline fullscreen(std::string_view shader, VkFormat, const Specialization&);
+
+  const Device& device_;
+  Pipeline storeDepth_, storeDepthMasked_, storeLinear_, storeLinearMasked_;
+  std::map<std::pair<std::string_view, Specialization>, Pipeline> variants_;  // by shader
 };
 
 }  // namespace sundial

@@ -13,14 +13,14 @@
 
 namespace sundial {
 
-// What a user may set on a row. Sizes ("2048" or "1024x512") and numbers carry a range; stage choices list
-// their values.
+// What a user may set on a row. Sizes ("2048" or "1024x512"), numbers and each number of a list ("4:12:40")
+// carry a range; stage choices list their values.
 struct Parameter {
-  enum class Kind { number, integer, size, choice };
+  enum class Kind { number, integer, size, list, choice };
   std::string_view name;
   Kind kind;
   std::string_view unit;          // "texels", "m", "1", ...
-  double min = 0, max = 0;        // of a number, or of each side of a size
+  double min = 0, max = 0;        // of a number, of each side of a size, of each number of a list
   std::string_view defaultValue;  // as a user would write it
   std::string_view description;
   std::vector<std::string_view> choices = {};
@@ -34,7 +34,14 @@ struct MethodRow {
   Technique technique;
   std::optional<Stages> stages;  // none for methods without a map
   std::string_view source;       // paper and section
+  std::map<std::string_view, std::string_view> defaults = {};  // of parameters, where they are the row's own
 };
+
+// Who knows the plan, and when: the device alone; the host too, which waits for it, culls and submits what is
+// left; or all use what the samples of the frame before said.
+enum class PlanTiming { gpu, readback, delayed };
+// Which partition answers: the one made for the sample's depth, or the tightest that contains it.
+enum class Choose { depth, tightest };
 
 // A row with its parameters settled: what a frame is rendered with. Made by chooseMethod() alone.
 struct Method {
@@ -43,6 +50,17 @@ struct Method {
   std::optional<Stages> stages;
   struct Settings {
     unsigned width = 2048, height = 2048;  // texels of every map
+    PlanTiming plan = PlanTiming::gpu;
+    unsigned partitions = 1;     // along the camera's depth
+    std::vector<double> splits;  // partition=manual: where each ends, metres; none: by a rule
+    double lambda = 0.5;         // partition=practical
+    std::optional<double> near;  // metres; none: by a rule
+    Choose choose = Choose::tightest;
+    double blend = 0;                  // share of a partition's depth
+    std::optional<double> extent;      // volume=inscribed: side of the square, metres; none: by a rule
+    std::vector<unsigned> tileSizes;   // texels a side; as many as tiles
+    double importanceGain = 0;         // m and k of [Alecu 2014, equation 3.1]
+    std::optional<double> importanceRange;  // metres; none: by a rule
     double biasTexels = 0;                 // towards the light, texels of the map at the receiver
     std::optional<double> biasWorld;       // towards the light, metres; none: a share of the scene's diagonal
     unsigned kernel = 3;                   // pcf, texels a side
@@ -51,6 +69,7 @@ struct Method {
 };
 
 std::span<const MethodRow> methodTable();
+// With those that only other choices at a stage read: descriptions say which.
 std::vector<Parameter> parametersOf(const MethodRow&);
 
 // "sm" with {"texels": "1024", "lookup": "pcf"}. Errors: notFound for a method, naming those that exist;

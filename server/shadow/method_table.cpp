@@ -1,12 +1,12 @@
 // The rows. Adding a method is adding one here.
-#include <array>
+#include <vector>
 
 #include "shadow/method.h"
 
 namespace sundial {
 
 std::span<const MethodRow> methodTable() {
-  static const std::array rows = {
+  static const std::vector<MethodRow> rows = {
       MethodRow{"sm", "Shadow map of the whole scene", Technique::shadowMap,
                 Stages{Volume::scene, Partition::single, Warp::none, Focus::loose, Resolution::fixed,
                        Storage::depth, Lookup::hard},
@@ -15,6 +15,47 @@ std::span<const MethodRow> methodTable() {
                 Stages{Volume::samples, Partition::single, Warp::none, Focus::aabb, Resolution::fixed,
                        Storage::depth, Lookup::hard},
                 "[NOTW] section 3.2, [Rosen 2012]"},
+      MethodRow{"csm", "Cascades: the camera's depth cut by hand", Technique::shadowMap,
+                Stages{Volume::frustum, Partition::manual, Warp::none, Focus::loose, Resolution::fixed,
+                       Storage::depth, Lookup::hard},
+                "[Engel 2006], as [Alecu 2014] section 4.2 compares them", {{"texels", "1024"}}},
+      MethodRow{"pssm", "Parallel splits: uniform and logarithmic cuts, mixed", Technique::shadowMap,
+                Stages{Volume::frustum, Partition::practical, Warp::none, Focus::loose, Resolution::fixed,
+                       Storage::depth, Lookup::hard},
+                "[Zhang et al. 2006]", {{"texels", "1024"}}},
+      MethodRow{"sdsm-log", "Sample distribution: logarithmic cuts between the samples' nearest and farthest",
+                Technique::shadowMap,
+                Stages{Volume::samples, Partition::log, Warp::none, Focus::aligned, Resolution::fixed,
+                       Storage::depth, Lookup::hard},
+                "[Lauritzen et al. 2011] sections 3.1 and 3.3", {{"texels", "1024"}}},
+      MethodRow{"sdsm-adaptive", "Sample distribution: logarithmic cuts that skip the histogram's gaps",
+                Technique::shadowMap,
+                Stages{Volume::samples, Partition::adaptive, Warp::none, Focus::aligned, Resolution::fixed,
+                       Storage::depth, Lookup::hard},
+                "[Lauritzen et al. 2011] section 3.2", {{"texels", "1024"}}},
+      MethodRow{"sdsm-kmeans", "Sample distribution: a partition a cluster of depths", Technique::shadowMap,
+                Stages{Volume::samples, Partition::kmeans, Warp::none, Focus::aligned, Resolution::fixed,
+                       Storage::depth, Lookup::hard},
+                "[Lauritzen et al. 2011] section 3.2", {{"texels", "1024"}}},
+      MethodRow{"sdsm-snapped", "Sample distribution on a grid of the world: steady while the camera moves",
+                Technique::shadowMap,
+                Stages{Volume::samples, Partition::log, Warp::none, Focus::snapped, Resolution::fixed,
+                       Storage::depth, Lookup::hard},
+                "[Lauritzen et al. 2011] section 5.3", {{"texels", "1024"}, {"choose", "depth"}}},
+      MethodRow{"iasm-forward", "Irregular adaptive tiles, near and far from the casters' bounds",
+                Technique::shadowMap,
+                Stages{Volume::inscribed, Partition::tiles, Warp::none, Focus::loose, Resolution::ranked,
+                       Storage::linear, Lookup::hard},
+                "[Alecu 2014] section 3, the forward renderer"},
+      MethodRow{"iasm", "Irregular adaptive tiles, near and far from the view samples", Technique::shadowMap,
+                Stages{Volume::inscribed, Partition::tiles, Warp::none, Focus::depth, Resolution::ranked,
+                       Storage::linear, Lookup::hard},
+                "[Alecu 2014] section 3, the deferred renderer"},
+      MethodRow{"iasm-delayed", "Irregular adaptive tiles, ranked by what the frame before saw",
+                Technique::shadowMap,
+                Stages{Volume::inscribed, Partition::tiles, Warp::none, Focus::depth, Resolution::ranked,
+                       Storage::linear, Lookup::hard},
+                "[Alecu 2014] section 4.3", {{"plan", "delayed"}}},
       MethodRow{"ray-traced", "A shadow ray a pixel: the reference, timed like a method",
                 Technique::rayTraced, std::nullopt, "[Whitted 1980], by Embree"},
   };

@@ -94,10 +94,8 @@ SceneBuffers::SceneBuffers(const Device& device, std::shared_ptr<const Scene> sc
       plainColours_(scene_->textures.empty() && std::ranges::all_of(scene_->attributes, [](const auto& a) {
                       return a.colour == 0xffffffffu;
                     })) {
-  const std::vector<shared::Draw> draws = listDraws(*scene_, buckets_);
-  drawInstances_.reserve(draws.size());
-  for (const shared::Draw& draw : draws) drawInstances_.push_back(draw.instance);
-  draws_ = uploadedTexels(device, draws, VK_FORMAT_R32G32_UINT, 8);
+  drawList_ = listDraws(*scene_, buckets_);
+  draws_ = uploadedTexels(device, drawList_, VK_FORMAT_R32G32_UINT, 8);
 }
 
 VkDeviceSize SceneBuffers::bytes() const {
@@ -121,9 +119,9 @@ void SceneBuffers::moveTo(const Device& device, const glm::dvec3& origin) {
     placed.push_back({{glm::vec4(rows[0]), glm::vec4(rows[1]), glm::vec4(rows[2])}});
   }
   instances_ = uploadedTexels(device, placed, VK_FORMAT_R32G32B32A32_SFLOAT, 16);
-  std::vector<shared::Instance> places(drawInstances_.size());
+  std::vector<shared::Instance> places(drawList_.size());
   for (std::size_t i = 0; i < places.size(); ++i)
-    if (drawInstances_[i] != shared::kNoInstance) places[i] = placed[drawInstances_[i]];
+    if (drawList_[i].instance != shared::kNoInstance) places[i] = placed[drawList_[i].instance];
   places_ = uploaded(device, places, VK_BUFFER_USAGE_VERTEX_BUFFER_BIT);
   origin_ = origin;
 }

@@ -4,6 +4,7 @@
 #include <array>
 #include <memory>
 #include <optional>
+#include <span>
 
 #include "gpu/pipeline.h"
 #include "scene/scene.h"
@@ -16,7 +17,8 @@ class SceneBuffers {
 
   const Scene& scene() const { return *scene_; }
   // A multiple of shared::kDrawsPerChunk.
-  std::uint32_t drawCount() const { return static_cast<std::uint32_t>(drawInstances_.size()); }
+  std::uint32_t drawCount() const { return static_cast<std::uint32_t>(drawList_.size()); }
+  std::span<const shared::Draw> draws() const { return drawList_; }  // sorted by bucket
   const std::array<glm::uvec2, shared::kBuckets>& buckets() const { return buckets_; }  // first chunk, chunks
   bool plainColours() const { return plainColours_; }  // no textures, all vertex colours white
   VkDeviceSize bytes() const;
@@ -39,7 +41,7 @@ class SceneBuffers {
   Sampler sampler_;
   std::array<glm::uvec2, shared::kBuckets> buckets_{};
   bool plainColours_;
-  std::vector<std::uint32_t> drawInstances_;  // instance of each draw
+  std::vector<shared::Draw> drawList_;
   std::optional<glm::dvec3> origin_;
 };
 

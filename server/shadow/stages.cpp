@@ -23,13 +23,15 @@ StageText stageText(std::string_view name, std::vector<std::string_view> choices
 }
 
 const std::array<StageText, 7>& stageTexts() {
-  static const std::array<StageText, 7> texts = {stageText<&Stages::volume>("volume", {"scene", "samples"}),
-                                                 stageText<&Stages::partition>("partition", {"single"}),
-                                                 stageText<&Stages::warp>("warp", {"none"}),
-                                                 stageText<&Stages::focus>("focus", {"loose", "aabb"}),
-                                                 stageText<&Stages::resolution>("resolution", {"fixed"}),
-                                                 stageText<&Stages::storage>("storage", {"depth"}),
-                                                 stageText<&Stages::lookup>("lookup", {"hard", "pcf"})};
+  static const std::array<StageText, 7> texts = {
+      stageText<&Stages::volume>("volume", {"scene", "frustum", "samples", "inscribed"}),
+      stageText<&Stages::partition>(
+          "partition", {"single", "manual", "uniform", "log", "practical", "adaptive", "kmeans", "tiles"}),
+      stageText<&Stages::warp>("warp", {"none"}),
+      stageText<&Stages::focus>("focus", {"loose", "depth", "aabb", "aligned", "snapped"}),
+      stageText<&Stages::resolution>("resolution", {"fixed", "ranked", "listed"}),
+      stageText<&Stages::storage>("storage", {"depth", "linear"}),
+      stageText<&Stages::lookup>("lookup", {"hard", "pcf"})};
   return texts;
 }
 
@@ -66,9 +68,29 @@ bool setStage(Stages& stages, std::string_view stage, std::string_view choice) {
 }
 
 std::optional<std::string> whyImpossible(const Stages& stages) {
-  if (stages.focus == Focus::aabb && stages.volume != Volume::samples)
+  const bool tiles = stages.partition == Partition::tiles, single = stages.partition == Partition::single;
+  const bool samples = stages.volume == Volume::samples;
+  if (tiles != (stages.volume == Volume::inscribed))
+    return "partition=tiles cuts the square of volume=inscribed, and nothing else does: use both or neither";
+  if (cutsDepth(stages.partition) && stages.volume == Volume::scene)
+    return "a partition along the camera's depth needs to know the camera: use volume=frustum or volume=samples";
+  if (single && stages.volume == Volume::frustum)
+    return "volume=frustum is bounded by ranges of depth: use a partition along it, partition=log,partitions=1 "
+           "for one map";
+  if ((stages.partition == Partition::adaptive || stages.partition == Partition::kmeans) && !samples)
+    return "partition=adaptive and partition=kmeans look at the histogram of the view samples: use volume=samples";
+  if (tiles != (stages.resolution != Resolution::fixed))
+    return "tiles, and nothing else, share out a list of sizes: use partition=tiles with resolution=ranked or listed";
+  if (tiles && stages.storage != Storage::linear)
+    return "tiles of different sizes don't fit an image: use storage=linear";
+  if (stages.focus == Focus::depth && !tiles) return "focus=depth fits near and far of tiles: use partition=tiles";
+  if ((stages.focus == Focus::aligned || stages.focus == Focus::snapped) && !samples)
+    return "focus=aligned and focus=snapped fit boxes to the view samples, which volume=samples looks at";
+  if (stages.focus == Focus::snapped && single)
+    return "focus=snapped fits partitions along the camera's depth: partition=log,partitions=1 for one map";
+  if (stages.focus == Focus::aabb && !samples && !tiles)
     return "focus=aabb fits a box to the view samples, which only volume=samples looks at";
-  if (stages.focus == Focus::loose && stages.volume == Volume::samples)
+  if (stages.focus == Focus::loose && samples && single)
     return "volume=samples knows nothing but the samples, so its frustum is theirs: use focus=aabb";
   return std::nullopt;
 }

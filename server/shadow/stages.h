@@ -10,13 +10,14 @@
 
 namespace sundial {
 
-enum class Volume { scene, samples };  // which part of light space matters
-enum class Partition { single };       // how it is cut up
-enum class Warp { none };              // how each part is re-parameterised
-enum class Focus { loose, aabb };      // how tight each part's frustum is
-enum class Resolution { fixed };       // how many texels each part gets
-enum class Storage { depth };          // what a texel holds
-enum class Lookup { hard, pcf };       // how a view sample asks
+enum class Volume { scene, frustum, samples, inscribed };  // which part of light space matters
+// How it is cut up: not at all, along the camera's depth by one of six rules, or into tiles of light space.
+enum class Partition { single, manual, uniform, log, practical, adaptive, kmeans, tiles };
+enum class Warp { none };                                    // how each part is re-parameterised
+enum class Focus { loose, depth, aabb, aligned, snapped };   // how tight each part's frustum is
+enum class Resolution { fixed, ranked, listed };             // how many texels each part gets
+enum class Storage { depth, linear };                        // what a texel holds, and where
+enum class Lookup { hard, pcf };                             // how a view sample asks
 
 struct Stages {
   Volume volume;
@@ -27,6 +28,8 @@ struct Stages {
   Storage storage;
   Lookup lookup;
 };
+
+inline bool cutsDepth(Partition p) { return p != Partition::single && p != Partition::tiles; }
 
 // "volume", ... in the order of execution.
 std::vector<std::string_view> stageNames();

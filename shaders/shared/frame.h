@@ -8,6 +8,7 @@
 #ifndef SUNDIAL_SHARED_FRAME_H
 #define SUNDIAL_SHARED_FRAME_H
 #include "interop.h"
+#include "plan.h"
 
 SUNDIAL_SHARED_BEGIN
 
@@ -32,18 +33,13 @@ struct FrameConstants {
   vec3 wsLightPosition;  // spot
   float biasWorld;       // metres
   uvec2 imageSize;       // pixels
-  uvec2 storeSize;       // texels
-  vec3 lsBoundsMin;      // bounds known to the host (volume=scene), light space after division
+  uvec2 storeSize;       // texels of the store's image; a linear buffer counts as one row
+  vec3 lsBoundsMin;      // the scene, light space after division
   uint pcfKernel;        // texels a side, odd
   vec3 lsBoundsMax;
+  float sceneDepth;      // the camera's depth of the scene's farthest corner, metres
   uvec2 drawBuckets[6];  // first chunk and number of chunks of each bucket (scene.h: kBuckets)
-};
-
-// What the analysis of the view samples found: floats in an order-preserving code, so that integer atomics
-// reduce them and the result depends on no order.
-struct Analysis {
-  uint lsBoundsMin[3];  // 0xffffffff: no sample
-  uint lsBoundsMax[3];
+  PlanSettings settings;
 };
 
 // Cull slot of the camera; shadow view v has slot v + 1.
@@ -60,7 +56,7 @@ struct ViewSample {
 // What answered a view sample, for the measures; written apart from the timed frame.
 struct Answer {
   uint view;        // index in the plan, or kNoShadowView
-  uint texel;       // y * storeSize.x + x
+  uint texel;       // of the store: y * storeSize.x + x
   float footprint;  // the texel's extent on the receiver's plane, seen in the image, pixels (longer side)
   uint facesLight;  // 1 where the sample faces the light (and, for a spot, lies in its cone)
 };

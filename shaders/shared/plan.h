@@ -1,5 +1,5 @@
 // The plan: what the stages before storage produce, written on the GPU, read by cull, store and resolve, and
-// streamed to clients as the tile layout.
+// streamed to clients as the tile layout. And what it is made from: the method's settings and the analysis.
 #ifndef SUNDIAL_SHARED_PLAN_H
 #define SUNDIAL_SHARED_PLAN_H
 #include "interop.h"
@@ -7,6 +7,7 @@
 SUNDIAL_SHARED_BEGIN
 
 SUNDIAL_CONST kMaxShadowViews = 64u;
+SUNDIAL_CONST kMaxPartitions = 8u;  // along the camera's depth
 SUNDIAL_CONST kNoShadowView = 0xffffffffu;
 
 // One map of the store. Shadow space after the division by w: x and y in [-1, 1] across the rectangle, y down
@@ -20,18 +21,66 @@ struct ShadowView {
   float
       nearDistance;  // along the light, metres: directional from the light-space origin, spot from the light
   float farDistance;
-  uint sampleCount;  // view samples that chose this view; 0 where the partition doesn't count
-  uint importance;   // 0 where the resolution isn't ranked
-  uint empty;        // 1: nothing to draw
+  uint sampleCount;   // view samples that chose this view; 0 where the partition doesn't count
+  uint importance;    // summed, in units of PlanSettings::importanceUnit; 0 where nothing ranks by it
+  uint empty;         // 1: nothing to draw
+  uint linearOffset;  // texels, in the store's buffer (storage=linear)
+  float depthBegin;   // the range of the camera's depth that it was made for, metres; 0 and 0 where there is none
+  float depthEnd;
+  uint tile;  // y * tilesPerSide + x (partition=tiles)
   uint padding;
 };
 
 struct Plan {
   uint viewCount;
+  uint tilesPerSide;     // 0: no tiles
+  vec2 lsSquareMin;      // tiles: the corner of the first, in light space after division
+  float lsTileSide;      // metres; spot: at one metre from the light
   uint padding0;
   uint padding1;
   uint padding2;
+  uint viewOfTile[kMaxShadowViews];
   ShadowView views[kMaxShadowViews];
+};
+
+// What the method's parameters and the host say to the stages before storage.
+struct PlanSettings {
+  uvec2 mapSize;    // texels of each map
+  uint mapColumns;  // maps in a row of the store's image
+  uint partitions;
+  float depthNear;  // camera depths that splits are made between (volume=frustum) and that the histogram spans, metres
+  float depthFar;
+  float lambda;  // practical split: 1 is logarithmic, 0 uniform
+  float blend;   // share of a partition's depth in which it fades into the next
+  float splits[kMaxPartitions];  // manual: where each partition ends, metres
+  // Where the frame's origin lies on the grids of focus=snapped: light space, metres, modulo kSnapPeriod.
+  vec2 lsOriginOnGrid;
+  uint tilesPerSide;
+  float importanceGain;   // m of [Alecu 2014, equation 3.1]
+  float importanceRange;  // k, metres
+  float importanceUnit;   // integers a unit of importance
+  vec2 lsSquareMin;       // volume=inscribed
+  float lsSquareSide;
+  uint tileTexels[kMaxShadowViews];  // a side, of view v
+};
+SUNDIAL_CONST kSnapPeriod = 4096u;  // metres, the coarsest texel of focus=snapped
+
+SUNDIAL_CONST kDepthBins = 512u;
+
+// What the analysis of the view samples found: floats in an order-preserving code, so that integer atomics
+// reduce them and the result depends on no order. A segment is a partition or a tile; without either there is one.
+struct Analysis {
+  mat4 lightFromWorld;                  // FrameConstants' when this was found: the axes of all bounds
+  float splits[kMaxPartitions + 1];     // partition i has camera depths from [i] to [i + 1], metres
+  // From here on cleared to ones,
+  uint depthMin;                        // 0xffffffff: no sample
+  uint lsMin[3 * kMaxShadowViews];
+  // and from here on to zeros.
+  uint depthMax;
+  uint lsMax[3 * kMaxShadowViews];
+  uint sampleCount[kMaxShadowViews];
+  uint importance[kMaxShadowViews];
+  uint depthHistogram[kDepthBins];      // samples, over the logarithm of depth from depthNear to depthFar
 };
 
 SUNDIAL_SHARED_END

@@ -1,0 +1,17 @@
+// Culling on the host, for plans that it has read back: the same draws in the same order as cull_test.comp and
+// cull_write.comp give.
+#pragma once
+
+#include <span>
+
+#include "shadow/scene_buffers.h"
+#include "shared/plan.h"
+
+namespace sundial {
+
+// One view after another: `commands` has drawCount() a view, each bucket's from where the bucket begins; `counts` has
+// kBuckets a view. Instances are placed relative to `origin`.
+void cullOnHost(const SceneBuffers&, const glm::dvec3& origin, const shared::Plan&,
+                std::span<shared::DrawCommand> commands, std::span<std::uint32_t> counts);
+
+}  // namespace sundial

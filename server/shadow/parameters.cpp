@@ -1,0 +1,326 @@
+#include "shadow/parameters.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+
+#include "shared/plan.h"
+
+namespace sundial {
+
+namespace {
+
+using Kind = Parameter::Kind;
+
+constexpr std::string_view kAuto = "auto";
+
+// A parameter and the stages that read it.
+struct Rule {
+  Parameter parameter;
+  bool (*readBy)(const Stages&);
+};
+
+const std::vector<Rule>& rules() {
+  constexpr auto always = [](const Stages&) { return true; };
+  constexpr auto cuts = [](const Stages& s) { return cutsDepth(s.partition); };
+  constexpr auto tiles = [](const Stages& s) { return s.partition == Partition::tiles; };
+  static const std::vector<Rule> all = {
+      {{.name = "texels",
+        .kind = Kind::size,
+        .unit = "texels",
+        .min = 16,
+        .max = 16384,
+        .defaultValue = "2048",
+        .description = "size of every map: a side, or WIDTHxHEIGHT"},
+       [](const Stages& s) { return s.resolution == Resolution::fixed; }},
+      {{.name = "bias_texels",
+        .kind = Kind::number,
+        .unit = "texels",
+        .min = 0,
+        .max = 100,
+        .defaultValue = "2",
+        .description = "how far a receiver moves towards the light, in texels of its map"},
+       always},
+      {{.name = "bias_world",
+        .kind = Kind::number,
+        .unit = "m",
+        .min = 0,
+        .max = 1e6,
+        .defaultValue = kAuto,
+        .description = "the same in metres, added; auto: 2e-5 of the scene's diagonal, as near as the "
+                       "reference looks",
+        .choices = {kAuto}},
+       always},
+      {{.name = "plan",
+        .kind = Kind::choice,
+        .unit = "",
+        .defaultValue = "gpu",
+        .description = "gpu: planned, culled and drawn without the host; readback: the host waits for the plan and "
+                       "culls; delayed: planned from what the frame before saw",
+        .choices = {"gpu", "readback", "delayed"}},
+       always},
+      {{.name = "partitions",
+        .kind = Kind::integer,
+        .unit = "1",
+        .min = 1,
+        .max = shared::kMaxPartitions,
+        .defaultValue = "4",
+        .description = "maps along the camera's depth; with a partition along it that isn't manual"},
+       [](const Stages& s) { return cutsDepth(s.partition) && s.partition != Partition::manual; }},
+      {{.name = "splits",
+        .kind = Kind::list,
+        .unit = "m",
+        .min = 0.001,
+        .max = 1e9,
+        .defaultValue = kAuto,
+        .description = "where each partition ends, 4:12:40; auto: three, at (i/3)^3 of the scene's farthest depth; "
+                       "with partition=manual",
+        .choices = {kAuto}},
+       [](const Stages& s) { return s.partition == Partition::manual; }},
+      {{.name = "lambda",
+        .kind = Kind::number,
+        .unit = "1",
+        .min = 0,
+        .max = 1,
+        .defaultValue = "0.5",
+        .description = "1: logarithmic, 0: uniform; with partition=practical"},
+       [](const Stages& s) { return s.partition == Partition::practical; }},
+      {{.name = "near",
+        .kind = Kind::number,
+        .unit = "m",
+        .min = 1e-4,
+        .max = 1e9,
+        .defaultValue = kAuto,
+        .description = "depth that the formulas of splits begin with; auto: a thousandth of the scene's farthest; "
+                       "with volume=frustum",
+        .choices = {kAuto}},
+       [](const Stages& s) { return s.volume == Volume::frustum && s.partition != Partition::manual; }},
+      {{.name = "choose",
+        .kind = Kind::choice,
+        .unit = "",
+        .defaultValue = "tightest",
+        .description = "which partition answers: the one of the sample's depth, or the tightest that contains it",
+        .choices = {"depth", "tightest"}},
+       cuts},
+      {{.name = "blend",
+        .kind = Kind::number,
+        .unit = "1",
+        .min = 0,
+        .max = 0.5,
+        .defaultValue = "0",
+        .description = "share of a partition's depth in which it fades into the next; with choose=depth"},
+       cuts},
+      {{.name = "tile_sizes",
+        .kind = Kind::list,
+        .unit = "texels",
+        .min = 8,
+        .max = 4096,
+        .defaultValue = "1024:512:512:256:128:128:128:128:64:64:32:32:16:16:16:16",
+        .description = "a side of each tile, n x n of them; resolution=ranked: falling, the most important tile gets "
+                       "the first; listed: tile by tile, a row of light space after another"},
+       tiles},
+      {{.name = "extent",
+        .kind = Kind::number,
+        .unit = "m",
+        .min = 0.01,
+        .max = 1e9,
+        .defaultValue = kAuto,
+        .description = "side of the square that the tiles cut; auto: what the camera could see of the scene",
+        .choices = {kAuto}},
+       tiles},
+      {{.name = "importance_gain",
+        .kind = Kind::number,
+        .unit = "1",
+        .min = 0,
+        .max = 1000,
+        .defaultValue = "32",
+        .description = "how much more a sample counts at the camera than far away: m"},
+       tiles},
+      {{.name = "importance_range",
+        .kind = Kind::number,
+        .unit = "m",
+        .min = 0.01,
+        .max = 1e9,
+        .defaultValue = kAuto,
+        .description = "depth at which that ends: k; auto: a quarter of the square's side",
+        .choices = {kAuto}},
+       tiles},
+      {{.name = "kernel",
+        .kind = Kind::integer,
+        .unit = "texels",
+        .min = 1,
+        .max = 15,
+        .defaultValue = "3",
+        .description = "side of the filter's box; with lookup=pcf"},
+       [](const Stages& s) { return s.lookup == Lookup::pcf; }},
+  };
+  return all;
+}
+
+// A whole text as a number; nothing if it isn't one.
+template <class T>
+std::optional<T> parse(std::string_view text) {
+  T value{};
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+  if (error != std::errc() || end != text.data() + text.size()) return std::nullopt;
+  return value;
+}
+
+// "2048" or "1024x512".
+std::optional<std::pair<unsigned, unsigned>> parseSize(std::string_view text) {
+  const std::size_t x = text.find('x');
+  const auto width = parse<unsigned>(text.substr(0, x));
+  const auto height = x == std::string_view::npos ? width : parse<unsigned>(text.substr(x + 1));
+  if (!width || !height) return std::nullopt;
+  return std::pair(*width, *height);
+}
+
+// "4:12:40".
+std::optional<std::vector<double>> parseList(std::string_view text) {
+  std::vector<double> values;
+  for (;;) {
+    const std::size_t colon = text.find(':');
+    const auto value = parse<double>(text.substr(0, colon));
+    if (!value) return std::nullopt;
+    values.push_back(*value);
+    if (colon == std::string_view::npos) return values;
+    text.remove_prefix(colon + 1);
+  }
+}
+
+bool within(const Parameter& p, double value) { return value >= p.min && value <= p.max; }
+
+std::optional<double> unlessAuto(const std::string& text) {
+  return text == kAuto ? std::nullopt : parse<double>(text);
+}
+
+}  // namespace
+
+std::vector<Parameter> parametersFor(const MethodRow& row, const std::optional<Stages>& stages) {
+  std::vector<Parameter> list;
+  if (!stages) return list;
+  for (const Rule& rule : rules())
+    if (rule.readBy(*stages)) list.push_back(rule.parameter);
+  for (Parameter& p : list)
+    if (const auto own = row.defaults.find(p.name); own != row.defaults.end()) p.defaultValue = own->second;
+  for (const std::string_view stage : stageNames())
+    if (stageChoices(stage).size() > 1)
+      list.push_back({.name = stage,
+                      .kind = Kind::choice,
+                      .unit = "",
+                      .defaultValue = stageChoice(*row.stages, stage),
+                      .description = "another choice at this stage",
+                      .choices = stageChoices(stage)});
+  return list;
+}
+
+std::optional<Parameter> knownParameter(std::string_view name) {
+  for (const Rule& rule : rules())
+    if (rule.parameter.name == name) return rule.parameter;
+  return std::nullopt;
+}
+
+std::optional<std::string> whyWrong(const Parameter& p, std::string_view value) {
+  const std::string unit = p.unit == "1" ? "" : fmt::format(" {}", p.unit);
+  const std::string range = fmt::format("[{}, {}]{}", p.min, p.max, unit);
+  const std::string orChoice = p.choices.empty() ? "" : fmt::format(" or {}", fmt::join(p.choices, ", "));
+  const bool choice = std::ranges::find(p.choices, value) != p.choices.end();
+  switch (p.kind) {
+    case Kind::choice:
+      if (!choice) return fmt::format("choose one of {}", fmt::join(p.choices, ", "));
+      break;
+    case Kind::size: {
+      const auto size = parseSize(value);
+      if (!size || !within(p, size->first) || !within(p, size->second))
+        return fmt::format("give a side, or WIDTHxHEIGHT, each in {}", range);
+      break;
+    }
+    case Kind::list: {
+      if (choice) break;
+      const auto list = parseList(value);
+      const bool whole = p.unit == "texels";
+      if (!list ||
+          !std::ranges::all_of(*list, [&](double v) { return within(p, v) && (!whole || v == std::floor(v)); }))
+        return fmt::format("give {}numbers with colons between them, each in {}{}", whole ? "whole " : "", range,
+                           orChoice);
+      break;
+    }
+    case Kind::integer: {
+      const auto number = parse<int>(value);
+      if (!number || !within(p, *number)) return fmt::format("give a whole number in {}", range);
+      break;
+    }
+    case Kind::number: {
+      if (choice) break;
+      const auto number = parse<double>(value);
+      if (!number || !within(p, *number)) return fmt::format("give a number in {}{}", range, orChoice);
+      break;
+    }
+  }
+  return std::nullopt;
+}
+
+Method::Settings settingsFrom(const std::map<std::string, std::string>& parameters, const Stages& stages) {
+  Method::Settings settings;
+  const auto with = [&](std::string_view name, auto take) {
+    if (const auto found = parameters.find(std::string(name)); found != parameters.end()) take(found->second);
+  };
+  with("texels", [&](const std::string& text) {
+    const auto [width, height] = *parseSize(text);
+    settings.width = width;
+    settings.height = height;
+  });
+  with("bias_texels", [&](const std::string& text) { settings.biasTexels = *parse<double>(text); });
+  with("bias_world", [&](const std::string& text) { settings.biasWorld = unlessAuto(text); });
+  with("plan", [&](const std::string& text) {
+    settings.plan = text == "readback"  ? PlanTiming::readback
+                    : text == "delayed" ? PlanTiming::delayed
+                                        : PlanTiming::gpu;
+  });
+  with("partitions", [&](const std::string& text) { settings.partitions = *parse<unsigned>(text); });
+  with("splits", [&](const std::string& text) {
+    if (text != kAuto) settings.splits = *parseList(text);
+    settings.partitions = settings.splits.empty() ? 3 : static_cast<unsigned>(settings.splits.size());
+  });
+  with("lambda", [&](const std::string& text) { settings.lambda = *parse<double>(text); });
+  with("near", [&](const std::string& text) { settings.near = unlessAuto(text); });
+  with("choose", [&](const std::string& text) {
+    settings.choose = text == "depth" ? Choose::depth : Choose::tightest;
+  });
+  with("blend", [&](const std::string& text) { settings.blend = *parse<double>(text); });
+  with("extent", [&](const std::string& text) { settings.extent = unlessAuto(text); });
+  with("tile_sizes", [&](const std::string& text) {
+    const std::vector<double> sides = *parseList(text);
+    settings.tileSizes.assign(sides.begin(), sides.end());
+  });
+  with("importance_gain", [&](const std::string& text) { settings.importanceGain = *parse<double>(text); });
+  with("importance_range", [&](const std::string& text) { settings.importanceRange = unlessAuto(text); });
+  with("kernel", [&](const std::string& text) { settings.kernel = *parse<unsigned>(text); });
+  if (stages.partition == Partition::tiles) settings.width = settings.height = settings.tileSizes.front();
+  return settings;
+}
+
+std::optional<std::string> whyInconsistent(const Stages& stages, const Method::Settings& settings) {
+  if (settings.splits.size() > shared::kMaxPartitions)
+    return fmt::format("splits: {} partitions; at most {}", settings.splits.size(), shared::kMaxPartitions);
+  if (std::ranges::adjacent_find(settings.splits, std::greater_equal()) != settings.splits.end())
+    return "splits: each must lie behind the one before: 4:12:40";
+  if (settings.blend > 0 && settings.choose != Choose::depth)
+    return "blend fades one range of depth into the next: use choose=depth with it";
+  if (settings.plan == PlanTiming::delayed && (stages.volume == Volume::scene || stages.volume == Volume::frustum))
+    return "plan=delayed uses what the samples of the frame before said, and this plan asks none: use plan=gpu";
+  if (stages.partition == Partition::tiles) {
+    const std::size_t tiles = settings.tileSizes.size();
+    const auto side = static_cast<std::size_t>(std::lround(std::sqrt(static_cast<double>(tiles))));
+    if (side * side != tiles || tiles > shared::kMaxShadowViews)
+      return fmt::format("tile_sizes: {} of them; give n x n, at most {}", tiles, shared::kMaxShadowViews);
+    if (stages.resolution == Resolution::ranked && !std::ranges::is_sorted(settings.tileSizes, std::greater()))
+      return "tile_sizes: resolution=ranked gives the first to the most important tile: begin with the largest";
+  }
+  return std::nullopt;
+}
+
+}  // namespace sundial

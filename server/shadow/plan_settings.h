@@ -1,0 +1,19 @@
+// What the host adds to a method's parameters so that the device can plan: shared::PlanSettings, and the axes of
+// light space that the method wants.
+#pragma once
+
+#include "shadow/method.h"
+#include "shared/frame.h"
+
+namespace sundial {
+
+// Fills `settings` and the store's size, and turns light space about the light where the focus asks for it. From the
+// constants of view, light and scene (frameConstants()) and where the frame's origin lies in the world.
+void settle(shared::FrameConstants&, const Method&, const glm::dvec3& origin);
+
+// How many shadow views the method's plan has at most.
+std::uint32_t shadowViewsOf(const Method&);
+// How many of their maps stand in a row of the store's image.
+std::uint32_t mapColumnsOf(const Method&);
+
+}  // namespace sundial

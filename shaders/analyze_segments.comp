@@ -1,0 +1,74 @@
+#version 460
+#extension GL_GOOGLE_include_directive : require
+// The boxes of the view samples in light space, one a segment [Lauritzen et al. 2011, section 3.3], how many samples each
+// has, and how important they are [Alecu 2014, section 3.3]. A thread's pixels mostly lie in one segment: it hands over
+// what it has when the segment changes.
+#include "analyze.glsl"
+#include "segments.glsl"
+#include "tiles.glsl"
+
+layout(constant_id = 0) const uint kSegments = kSegmentAll;
+
+struct Found {
+  vec3 low;
+  vec3 high;
+  uint samples;
+  uint importance;
+};
+const Found kNothing = Found(vec3(1e38), vec3(-1e38), 0, 0);
+
+void handOver(uint segment, Found found) {
+  for (uint axis = 0; axis < 3; ++axis) {
+    atomicMin(analysis.lsMin[3 * segment + axis], orderedFromFloat(found.low[axis]));
+    atomicMax(analysis.lsMax[3 * segment + axis], orderedFromFloat(found.high[axis]));
+  }
+  atomicAdd(analysis.sampleCount[segment], found.samples);
+  if (kSegments == kSegmentTile) atomicAdd(analysis.importance[segment], found.importance);
+}
+
+// [Alecu 2014, equation 3.1], in integers.
+uint importanceOf(float depth) {
+  const float nearness = clamp(1 - depth / frame.settings.importanceRange, 0, 1);
+  return uint((1 + frame.settings.importanceGain * nearness) * frame.settings.importanceUnit + 0.5);
+}
+
+// False where no segment has the sample.
+bool segmentOf(ViewSample s, vec2 ls, out uint segment) {
+  segment = 0;
+  if (kSegments == kSegmentTile)
+    return tileAt(ls, frame.settings.lsSquareMin, frame.settings.lsSquareSide / float(frame.settings.tilesPerSide),
+                  frame.settings.tilesPerSide, segment);
+  if (kSegments != kSegmentAll) segment = partitionOf(viewDepth(s.wsPosition, kSegments == kSegmentRadius));
+  return true;
+}
+
+void main() {
+  uint current = 0;
+  Found found = kNothing;
+  for (uint i = 0; i < kPixelsPerThread; ++i) {
+    const uint pixel = firstPixel() + i * 64;
+    if (pixel >= pixelCount()) break;
+    const ViewSample s = sampleOf(pixel);
+    if (!facesLight(s)) continue;
+    const vec4 light = frame.lightFromWorld * vec4(s.wsPosition, 1);
+    const vec3 ls = light.xyz / light.w;
+    uint segment;
+    if (!segmentOf(s, ls.xy, segment)) continue;
+    if (segment != current && found.samples > 0) {
+      handOver(current, found);
+      found = kNothing;
+    }
+    current = segment;
+    found.low = min(found.low, ls);
+    found.high = max(found.high, ls);
+    ++found.samples;
+    if (kSegments == kSegmentTile) found.importance += importanceOf(viewDepth(s.wsPosition, false));
+  }
+  if (subgroupAllEqual(current)) {
+    found = Found(subgroupMin(found.low), subgroupMax(found.high), subgroupAdd(found.samples),
+                  subgroupAdd(found.importance));
+    if (subgroupElect() && found.samples > 0) handOver(current, found);
+  } else if (found.samples > 0) {
+    handOver(current, found);
+  }
+}

@@ -1,0 +1,78 @@
+// Which shadow view answers a view sample.
+#ifndef SUNDIAL_CHOOSE_VIEW_GLSL
+#define SUNDIAL_CHOOSE_VIEW_GLSL
+#include "bindings.glsl"
+#include "tiles.glsl"
+#include "view_depth.glsl"
+
+const uint kOnly = 0, kByDepth = 1, kByRadius = 2, kTightest = 3, kByTile = 4;
+layout(constant_id = 1) const uint kChoice = kOnly;
+// The plan's most views: a constant, so that a plan of one is read at a constant place, which is cheap everywhere.
+layout(constant_id = 2) const uint kPlanViews = 1;
+layout(constant_id = 3) const bool kBlend = false;
+
+struct Choice {
+  uint view;         // kNoShadowView: none has an answer, the sample counts as lit
+  uint next;         // the view that it fades into
+  float nextWeight;  // 0 where it doesn't
+};
+
+// Whether the view has an answer. A tile's rim belongs to it up to rounding.
+bool covers(uint view, vec3 wsPosition) {
+  if (view >= plan.viewCount || plan.views[view].empty != 0) return false;
+  const vec4 clip = plan.views[view].shadowFromWorld * vec4(wsPosition, 1);
+  return clip.w > 0 && all(lessThan(abs(clip.xy), vec2(clip.w * (kChoice == kByTile ? 1.00001 : 1.0))));
+}
+
+// The partition of this camera depth: the last takes what lies behind all, the first what lies before.
+uint partitionAt(float depth) {
+  uint part = 0;
+  for (uint view = 1; view < kPlanViews; ++view)
+    part += view < plan.viewCount && depth >= plan.views[view].depthBegin ? 1 : 0;
+  return part;
+}
+
+// Of those that contain the point, before their far plane, the one with the smallest texels
+// [Lauritzen et al. 2011, section 3.3].
+uint tightest(vec3 wsPosition) {
+  uint best = kNoShadowView;
+  float bestArea = 1e38;
+  for (uint view = 0; view < kPlanViews; ++view) {
+    if (!covers(view, wsPosition)) continue;
+    const float area = plan.views[view].texelSize.x * plan.views[view].texelSize.y;
+    const vec4 clip = plan.views[view].shadowFromWorld * vec4(wsPosition, 1);
+    if (clip.z < 0 || area >= bestArea) continue;
+    best = view;
+    bestArea = area;
+  }
+  return best;
+}
+
+Choice chooseView(ViewSample s) {
+  Choice c = Choice(0, 0, 0.0);
+  const vec3 p = s.wsPosition;
+  if (kChoice == kByTile) {
+    const vec4 light = frame.lightFromWorld * vec4(p, 1);
+    uint tile;
+    const bool inside = tileAt(light.xy / light.w, plan.lsSquareMin, plan.lsTileSide, plan.tilesPerSide, tile);
+    c.view = inside ? plan.viewOfTile[tile] : kNoShadowView;
+  } else if (kChoice != kOnly) {
+    const float depth = viewDepth(p, kChoice == kByRadius);
+    c.view = partitionAt(depth);
+    if (kBlend && c.view + 1 < plan.viewCount) {
+      const float begin = plan.views[c.view].depthBegin, end = plan.views[c.view].depthEnd;
+      const float width = frame.settings.blend * (end - begin);
+      c.nextWeight = width > 0 ? clamp((depth - (end - width)) / width, 0, 1) : 0.0;
+      c.next = c.view + 1;
+      if (!covers(c.next, p)) c.nextWeight = 0;
+    }
+    if (kChoice == kTightest) {
+      const uint other = tightest(p);
+      if (other != kNoShadowView) c.view = other;
+    }
+  }
+  if (c.view != kNoShadowView && !covers(c.view, p)) c.view = kNoShadowView;
+  return c;
+}
+
+#endif

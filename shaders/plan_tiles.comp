@@ -1,0 +1,62 @@
+#version 460
+#extension GL_GOOGLE_include_directive : require
+// partition=tiles: a square of light space in equal tiles, of unequal resolution: the most important tile gets the
+// largest map [Alecu 2014, sections 3.3 to 3.5]. Views stand in the order of their maps' sizes, so that the host knows
+// each view's viewport without knowing which tile it is.
+// Departures: a tile without samples is not drawn; the near plane is the nearest caster's even where the paper takes the
+// nearest sample's (see withCasters()).
+#include "plan_view.glsl"
+
+layout(local_size_x = kMaxShadowViews) in;
+
+const uint kCasters = 0, kDepth = 1, kBox = 2;
+layout(constant_id = 0) const uint kFit = kDepth;  // what fits a tile: casters' bounds in depth, samples in depth, or on all sides
+layout(constant_id = 1) const bool kRanked = true;  // by importance; otherwise sizes are given tile by tile
+
+// Tiles with more importance, and of equals those with smaller numbers, come first.
+uint rankOf(uint tile, uint tiles) {
+  if (!kRanked) return tile;
+  uint rank = 0;
+  for (uint other = 0; other < tiles; ++other) {
+    const uint mine = analysis.importance[tile], its = analysis.importance[other];
+    rank += its > mine || (its == mine && other < tile) ? 1 : 0;
+  }
+  return rank;
+}
+
+void main() {
+  const uint tilesPerSide = frame.settings.tilesPerSide, tiles = tilesPerSide * tilesPerSide;
+  const uint tile = gl_LocalInvocationID.x;
+  const float side = frame.settings.lsSquareSide / float(tilesPerSide);
+  if (tile == 0) {
+    plan.viewCount = tiles;
+    plan.tilesPerSide = tilesPerSide;
+    plan.lsSquareMin = frame.settings.lsSquareMin;
+    plan.lsTileSide = side;
+  }
+  if (tile >= tiles) return;
+
+  const uint view = rankOf(tile, tiles);
+  const uvec2 texels = uvec2(frame.settings.tileTexels[view]);
+  plan.viewOfTile[tile] = view;
+  LightBox box = sampleBox(tile);
+  if (!isEmpty(box)) {
+    const vec2 corner = frame.settings.lsSquareMin + side * vec2(tile % tilesPerSide, tile / tilesPerSide);
+    if (kFit != kBox) {
+      box.low.xy = corner;
+      box.high.xy = corner + side;
+    }
+    // The casters' bounds are already in the tile's range of depth.
+    if (kFit != kCasters) box = withCasters(box);
+    box = kFit == kBox ? withExtent(withBorder(box, texels)) : withExtent(box);
+  }
+  placeInImage(view);
+  writeView(view, box, frame.lightFromWorld, texels);
+  uint before = 0;
+  for (uint v = 0; v < view; ++v) before += frame.settings.tileTexels[v] * frame.settings.tileTexels[v];
+  plan.views[view].linearOffset = before;
+  plan.views[view].rectOffset = uvec2(0);
+  plan.views[view].sampleCount = analysis.sampleCount[tile];
+  plan.views[view].importance = analysis.importance[tile];
+  plan.views[view].tile = tile;
+}

@@ -30,7 +30,7 @@ class FrameCull : public RendererTest {
   static Drawn draw(const Device& device, const std::shared_ptr<const Scene>& scene,
                     const std::shared_ptr<const Scene>& drawn, const View& view, const Light& light,
                     std::string_view text) {
-    const FramePipelines pipelines(device);
+    FramePipelines pipelines(device);
     const ViewTarget target(device, {256, 256});
     SceneBuffers buffers(device, drawn);
     const glm::dvec3 origin = frameOrigin(*scene, view);

@@ -17,11 +17,13 @@ struct Choice {
   float nextWeight;  // 0 where it doesn't
 };
 
-// Whether the view has an answer. A tile's rim belongs to it up to rounding.
-bool covers(uint view, vec3 wsPosition) {
+// Whether the view has an answer for a point of light space. A tile's rim belongs to it up to rounding.
+bool covers(uint view, vec4 light) {
   if (view >= plan.viewCount || plan.views[view].empty != 0) return false;
-  const vec4 clip = plan.views[view].shadowFromWorld * vec4(wsPosition, 1);
-  return clip.w > 0 && all(lessThan(abs(clip.xy), vec2(clip.w * (kChoice == kByTile ? 1.00001 : 1.0))));
+  const vec2 low = plan.views[view].lsMin.xy, high = plan.views[view].lsMax.xy;
+  const vec2 margin = kChoice == kByTile ? 1e-5 * (high - low) : vec2(0);
+  const vec2 ls = light.xy / light.w;
+  return light.w > 0 && all(greaterThan(ls, low - margin)) && all(lessThan(ls, high + margin));
 }
 
 // The partition of this camera depth: the last takes what lies behind all, the first what lies before.
@@ -34,44 +36,38 @@ uint partitionAt(float depth) {
 
 // Of those that contain the point, before their far plane, the one with the smallest texels
 // [Lauritzen et al. 2011, section 3.3].
-uint tightest(vec3 wsPosition) {
-  uint best = kNoShadowView;
+uint tightest(vec4 light, uint otherwise) {
+  uint best = otherwise;
   float bestArea = 1e38;
   for (uint view = 0; view < kPlanViews; ++view) {
-    if (!covers(view, wsPosition)) continue;
     const float area = plan.views[view].texelSize.x * plan.views[view].texelSize.y;
-    const vec4 clip = plan.views[view].shadowFromWorld * vec4(wsPosition, 1);
-    if (clip.z < 0 || area >= bestArea) continue;
-    best = view;
-    bestArea = area;
+    const bool better = covers(view, light) && light.z >= plan.views[view].lsMin.z * light.w && area < bestArea;
+    best = better ? view : best;
+    bestArea = better ? area : bestArea;
   }
   return best;
 }
 
 Choice chooseView(ViewSample s) {
   Choice c = Choice(0, 0, 0.0);
-  const vec3 p = s.wsPosition;
+  const vec4 light = plan.lightFromWorld * vec4(s.wsPosition, 1);
   if (kChoice == kByTile) {
-    const vec4 light = frame.lightFromWorld * vec4(p, 1);
     uint tile;
     const bool inside = tileAt(light.xy / light.w, plan.lsSquareMin, plan.lsTileSide, plan.tilesPerSide, tile);
     c.view = inside ? plan.viewOfTile[tile] : kNoShadowView;
   } else if (kChoice != kOnly) {
-    const float depth = viewDepth(p, kChoice == kByRadius);
+    const float depth = viewDepth(s.wsPosition, kChoice == kByRadius);
     c.view = partitionAt(depth);
     if (kBlend && c.view + 1 < plan.viewCount) {
       const float begin = plan.views[c.view].depthBegin, end = plan.views[c.view].depthEnd;
       const float width = frame.settings.blend * (end - begin);
       c.nextWeight = width > 0 ? clamp((depth - (end - width)) / width, 0, 1) : 0.0;
       c.next = c.view + 1;
-      if (!covers(c.next, p)) c.nextWeight = 0;
+      if (!covers(c.next, light)) c.nextWeight = 0;
     }
-    if (kChoice == kTightest) {
-      const uint other = tightest(p);
-      if (other != kNoShadowView) c.view = other;
-    }
+    if (kChoice == kTightest) c.view = tightest(light, c.view);
   }
-  if (c.view != kNoShadowView && !covers(c.view, p)) c.view = kNoShadowView;
+  if (c.view != kNoShadowView && !covers(c.view, light)) c.view = kNoShadowView;
   return c;
 }
 

@@ -12,9 +12,9 @@ void main() {
   LightBox box = samples ? sampleBox(0) : sceneBox();
   const uvec2 texels = frame.settings.mapSize;
   if (!isEmpty(box)) box = withExtent(withBorder(withCasters(box), texels));
-  plan.viewCount = 1;
-  plan.tilesPerSide = 0;
+  const mat4 lightFromWorld = samples ? analysis.lightFromWorld : frame.lightFromWorld;
+  writePlan(1, lightFromWorld);
   placeInImage(0);
-  writeView(0, box, samples ? analysis.lightFromWorld : frame.lightFromWorld, texels);
+  writeView(0, box, lightFromWorld, texels);
   if (samples) plan.views[0].sampleCount = analysis.sampleCount[0];
 }

@@ -47,10 +47,8 @@ LightBox snapped(LightBox box, uvec2 texels) {
 
 void main() {
   const uint view = gl_LocalInvocationID.x;
-  if (view == 0) {
-    plan.viewCount = frame.settings.partitions;
-    plan.tilesPerSide = 0;
-  }
+  const mat4 lightFromWorld = kFit == kLoose ? frame.lightFromWorld : analysis.lightFromWorld;
+  if (view == 0) writePlan(frame.settings.partitions, lightFromWorld);
   if (view >= frame.settings.partitions) return;
 
   const uvec2 texels = frame.settings.mapSize;
@@ -62,7 +60,7 @@ void main() {
     box = kFit == kSnapped ? snapped(withExtent(box), texels) : withExtent(withBorder(box, texels));
   }
   placeInImage(view);
-  writeView(view, box, kFit == kLoose ? frame.lightFromWorld : analysis.lightFromWorld, texels);
+  writeView(view, box, lightFromWorld, texels);
   plan.views[view].depthBegin = depthBegin;
   plan.views[view].depthEnd = depthEnd;
   if (kFit != kLoose) plan.views[view].sampleCount = analysis.sampleCount[view];

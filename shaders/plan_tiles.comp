@@ -29,7 +29,7 @@ void main() {
   const uint tile = gl_LocalInvocationID.x;
   const float side = frame.settings.lsSquareSide / float(tilesPerSide);
   if (tile == 0) {
-    plan.viewCount = tiles;
+    writePlan(tiles, frame.lightFromWorld);
     plan.tilesPerSide = tilesPerSide;
     plan.lsSquareMin = frame.settings.lsSquareMin;
     plan.lsTileSide = side;

@@ -51,9 +51,9 @@ LightBox withExtent(LightBox box) {
 void writeView(uint view, LightBox box, mat4 lightFromWorld, uvec2 texels) {
   const bool empty = isEmpty(box);
   if (empty) box = LightBox(vec3(-1), vec3(1));
+  if (frame.lightKind == kLightSpot) box.low.z = max(box.low.z, 0);
   const vec3 centre = 0.5 * (box.low + box.high), half_ = 0.5 * (box.high - box.low);
-  const float farZ = frame.lightKind == kLightSpot ? max(centre.z - half_.z, 0.0) : centre.z - half_.z;
-  const float nearZ = centre.z + half_.z;
+  const float farZ = box.low.z, nearZ = box.high.z;
 
   // shadow = scale * light + offset * w: image rows run down, depth runs from 0 (far) to 1 (near).
   const vec3 scale = vec3(1 / half_.x, -1 / half_.y, 1 / (nearZ - farZ));
@@ -64,12 +64,21 @@ void writeView(uint view, LightBox box, mat4 lightFromWorld, uvec2 texels) {
   for (int column = 0; column < 4; ++column) shadowFromWorld[column].xyz += offset * lightFromWorld[column].w;
 
   plan.views[view].shadowFromWorld = shadowFromWorld;
-  plan.views[view].worldFromShadow = inverse(shadowFromWorld);
+  plan.views[view].lsMin = box.low;
+  plan.views[view].lsMax = box.high;
   plan.views[view].rectSize = texels;
   plan.views[view].texelSize = 2 * half_.xy / vec2(texels);
   plan.views[view].nearDistance = frame.lightKind == kLightSpot ? 1 / nearZ : -nearZ;
   plan.views[view].farDistance = frame.lightKind == kLightSpot ? 1 / max(farZ, 1e-30) : -farZ;
   plan.views[view].empty = empty ? 1 : 0;
+}
+
+// What all views of the plan share.
+void writePlan(uint viewCount, mat4 lightFromWorld) {
+  plan.viewCount = viewCount;
+  plan.lightFromWorld = lightFromWorld;
+  plan.worldFromLight = inverse(lightFromWorld);
+  plan.tilesPerSide = 0;
 }
 
 // Where the view's map lies in the store's image, and what it was made for: nothing in particular.

@@ -15,23 +15,28 @@ struct Receiver {
   vec2 depthPerTexel;  // slope of the receiver's plane
 };
 
+// Shadow space is light space scaled and moved, so a few numbers a view are all that differs from view to view.
 Receiver receiverIn(uint view, ViewSample s) {
-  const ShadowView v = plan.views[view];
-  const vec4 clip = v.shadowFromWorld * vec4(s.wsPosition, 1);
-  const vec3 shadow = clip.xyz / clip.w;
+  const vec3 lsMin = plan.views[view].lsMin, lsMax = plan.views[view].lsMax;
+  const vec2 rect = vec2(plan.views[view].rectSize);
+  const vec2 texelsPerLight = rect / (lsMax.xy - lsMin.xy) * vec2(1, -1);  // rows run down
+  const float depthPerLight = 1 / (lsMax.z - lsMin.z);
+
+  const vec4 light = plan.lightFromWorld * vec4(s.wsPosition, 1);
+  const vec3 ls = light.xyz / light.w;
   Receiver r;
-  r.texel = (shadow.xy * 0.5 + 0.5) * vec2(v.rectSize);
+  r.texel = (ls.xy - vec2(lsMin.x, lsMax.y)) * texelsPerLight;
 
   // Planes transform by the inverse transposed; in homogeneous coordinates that holds for a perspective light too.
-  const vec4 plane = vec4(s.wsNormal, -dot(s.wsNormal, s.wsPosition)) * v.worldFromShadow;
+  const vec4 plane = vec4(s.wsNormal, -dot(s.wsNormal, s.wsPosition)) * plan.worldFromLight;
   // A plane that contains the light's ray has no slope to follow; it isn't lit either.
-  r.depthPerTexel = plane.z != 0 ? -plane.xy / plane.z * 2 / vec2(v.rectSize) : vec2(0);
+  r.depthPerTexel = plane.z != 0 ? -plane.xy / plane.z / texelsPerLight * depthPerLight : vec2(0);
 
-  const vec4 clipToLight = v.shadowFromWorld * vec4(towardsLight(s.wsPosition), 0);
-  const float depthPerMetre = (clipToLight.z - shadow.z * clipToLight.w) / clip.w;
-  const float texelMetres =
-      max(v.texelSize.x, v.texelSize.y) * (frame.lightKind == kLightSpot ? clip.w : 1.0);
-  r.depth = shadow.z + depthPerMetre * (frame.biasWorld + frame.biasTexels * texelMetres);
+  const vec4 towards = plan.lightFromWorld * vec4(towardsLight(s.wsPosition), 0);
+  const float depthPerMetre = (towards.z - ls.z * towards.w) / light.w * depthPerLight;
+  const vec2 texelSize = plan.views[view].texelSize;
+  const float texelMetres = max(texelSize.x, texelSize.y) * (frame.lightKind == kLightSpot ? light.w : 1.0);
+  r.depth = (ls.z - lsMin.z) * depthPerLight + depthPerMetre * (frame.biasWorld + frame.biasTexels * texelMetres);
   return r;
 }
 

@@ -14,7 +14,8 @@ SUNDIAL_CONST kNoShadowView = 0xffffffffu;
 // as in the image, depth reversed: 1 at the near plane, 0 at the far plane.
 struct ShadowView {
   mat4 shadowFromWorld;  // from world space relative to the frame's origin (FrameConstants)
-  mat4 worldFromShadow;  // its inverse: carries planes from world to shadow space
+  vec3 lsMin;            // the same box in light space after division: what lookups read, it is less
+  vec3 lsMax;
   uvec2 rectOffset;      // texels, in the store's image
   uvec2 rectSize;        // texels
   vec2 texelSize;        // directional: metres; spot: metres at one metre from the light
@@ -32,6 +33,8 @@ struct ShadowView {
 };
 
 struct Plan {
+  mat4 lightFromWorld;   // the axes of light space that all views share
+  mat4 worldFromLight;   // its inverse: carries planes from world to light space
   uint viewCount;
   uint tilesPerSide;     // 0: no tiles
   vec2 lsSquareMin;      // tiles: the corner of the first, in light space after division

@@ -39,17 +39,17 @@ void main() {
   const uint view = rankOf(tile, tiles);
   const uvec2 texels = uvec2(frame.settings.tileTexels[view]);
   plan.viewOfTile[tile] = view;
+  const vec2 corner = frame.settings.lsSquareMin + side * vec2(tile % tilesPerSide, tile / tilesPerSide);
   LightBox box = sampleBox(tile);
-  if (!isEmpty(box)) {
-    const vec2 corner = frame.settings.lsSquareMin + side * vec2(tile % tilesPerSide, tile / tilesPerSide);
-    if (kFit != kBox) {
-      box.low.xy = corner;
-      box.high.xy = corner + side;
-    }
-    // The casters' bounds are already in the tile's range of depth.
-    if (kFit != kCasters) box = withCasters(box);
-    box = kFit == kBox ? withExtent(withBorder(box, texels)) : withExtent(box);
+  const bool empty = isEmpty(box);
+  if (kFit != kBox || empty) {
+    box.low.xy = corner;
+    box.high.xy = corner + side;
   }
+  // An empty tile is shown where it lies; the casters' bounds are already in the tile's range of depth.
+  if (empty) box = LightBox(vec3(box.low.xy, min(frame.lsBoundsMin.z, frame.lsBoundsMax.z)), vec3(box.high.xy, frame.lsBoundsMax.z));
+  if (kFit != kCasters) box = withCasters(box);
+  box = withExtent(kFit == kBox && !empty ? withBorder(box, texels) : box);
   placeInImage(view);
   writeView(view, box, frame.lightFromWorld, texels);
   uint before = 0;
@@ -59,4 +59,5 @@ void main() {
   plan.views[view].sampleCount = analysis.sampleCount[tile];
   plan.views[view].importance = analysis.importance[tile];
   plan.views[view].tile = tile;
+  plan.views[view].empty = empty ? 1 : 0;
 }

@@ -1,8 +1,8 @@
 #include "shadow/plan_settings.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
-#include <numeric>
 
 namespace sundial {
 
@@ -52,40 +52,71 @@ struct Square {
   double side = 1;
 };
 
-// The smallest square that holds what the camera could see of the scene: the corners of its frustum at the scene's
-// farthest depth, as far as the scene reaches; never more than twice the scene.
+// What of a convex polygon lies in the half-plane dot(normal, p) <= limit.
+std::vector<dvec2> clipped(const std::vector<dvec2>& polygon, const dvec2& normal, double limit) {
+  std::vector<dvec2> out;
+  for (std::size_t i = 0; i < polygon.size(); ++i) {
+    const dvec2 &a = polygon[i], &b = polygon[(i + 1) % polygon.size()];
+    const double outsideA = glm::dot(normal, a) - limit, outsideB = glm::dot(normal, b) - limit;
+    if (outsideA <= 0) out.push_back(a);
+    if ((outsideA <= 0) != (outsideB <= 0)) out.push_back(a + (b - a) * (outsideA / (outsideA - outsideB)));
+  }
+  return out;
+}
+
+// The corners of what the camera could see of the scene, in the plane of light space: its frustum down to the scene's
+// farthest depth, as far as the scene's box reaches. The frustum's faces are clipped one by one: their union covers it.
+std::vector<dvec2> seenCorners(const shared::FrameConstants& c) {
+  const dmat4 light(c.lightFromWorld);
+  const auto inLight = [&](const dvec3& p) { return dvec2(light * dvec4(p, 1)); };
+  const dvec2 eye = inLight(dvec3(c.wsEye));
+  std::array<dvec2, 4> far;
+  constexpr int kAround[4][2] = {{0, 0}, {1, 0}, {1, 1}, {0, 1}};
+  for (int i = 0; i < 4; ++i) {
+    const dvec3 ray = dvec3(c.wsRayTopLeft) + kAround[i][0] * double(c.imageSize.x) * dvec3(c.wsRayPerPixelX) +
+                      kAround[i][1] * double(c.imageSize.y) * dvec3(c.wsRayPerPixelY);
+    far[i] = inLight(dvec3(c.wsEye) + double{c.sceneDepth} * ray);
+  }
+  std::vector<std::vector<dvec2>> faces{{far.begin(), far.end()}};
+  for (int i = 0; i < 4; ++i) faces.push_back({eye, far[i], far[(i + 1) % 4]});
+  std::vector<dvec2> corners;
+  for (std::vector<dvec2>& face : faces) {
+    face = clipped(face, {1, 0}, c.lsBoundsMax.x);
+    face = clipped(face, {-1, 0}, -c.lsBoundsMin.x);
+    face = clipped(face, {0, 1}, c.lsBoundsMax.y);
+    face = clipped(face, {0, -1}, -c.lsBoundsMin.y);
+    corners.insert(corners.end(), face.begin(), face.end());
+  }
+  return corners;
+}
+
+// The smallest square that holds what the camera could see of the scene; never more than twice the scene.
 Square squareOf(const shared::FrameConstants& c, std::optional<double> extent) {
   const dvec2 low(c.lsBoundsMin), high(c.lsBoundsMax);
   if (low.x > high.x) return {};
   const dvec2 size = high - low;
-  const double most = 2 * std::max(glm::length(size), 1e-3);
-  const dmat4 light(c.lightFromWorld);
-  const dvec4 eye = light * dvec4(c.wsEye, 1);
-  // In front of a spot there is no plane to stand on: its whole cone is cut.
-  if (c.lightKind != shared::kLightDirectional || eye.w <= 0) {
+  // Before a spot there is no plane to stand on: its whole cone is cut.
+  if (c.lightKind != shared::kLightDirectional) {
     const double side = extent.value_or(std::max(size.x, size.y));
     return {0.5 * (low + high) - 0.5 * side, side};
   }
-  const dvec2 along(light * dvec4(forwardOf(c), 0));
+  const dmat4 light(c.lightFromWorld);
+  const dvec2 eye(light * dvec4(c.wsEye, 1)), along(light * dvec4(forwardOf(c), 0));
   const dvec2 direction = glm::length(along) < 1e-4 ? dvec2(0) : glm::normalize(along);
   double side = 1e-3;
   if (extent) {
     side = *extent;
   } else {
-    for (int corner = 0; corner < 4; ++corner) {
-      const dvec3 ray = dvec3(c.wsRayTopLeft) +
-                        double(corner & 1) * double(c.imageSize.x) * dvec3(c.wsRayPerPixelX) +
-                        double(corner >> 1) * double(c.imageSize.y) * dvec3(c.wsRayPerPixelY);
-      const dvec2 seen(light * dvec4(dvec3(c.wsEye) + double{c.sceneDepth} * ray, 1));
-      const dvec2 offset = glm::clamp(seen, low, high) - dvec2(eye);
+    for (const dvec2& corner : seenCorners(c))
       for (int axis = 0; axis < 2; ++axis) {
-        const double room = 1 + std::copysign(direction[axis], direction[axis] * offset[axis]);
-        side = std::max(side, 2 * std::abs(offset[axis]) / std::max(room, 1e-6));
+        // The square reaches from the eye by this share of its half side, before or behind it.
+        const double offset = corner[axis] - eye[axis];
+        const double reach = offset > 0 ? 1 + direction[axis] : 1 - direction[axis];
+        side = std::max(side, 2 * std::abs(offset) / std::max(reach, 1e-6));
       }
-    }
-    side = std::min(side, most);
+    side = std::min(1.001 * side, 2 * std::max(glm::length(size), 1e-3));
   }
-  return {dvec2(eye) + 0.5 * side * direction - 0.5 * side, side};
+  return {eye + 0.5 * side * direction - 0.5 * side, side};
 }
 
 }  // namespace

@@ -7,6 +7,7 @@
 #include <filesystem>
 #include <memory>
 #include <mutex>
+#include <optional>
 
 #include "command/command.h"
 #include "command/failure.h"
@@ -117,14 +118,22 @@ class Results {
   std::string firstError_;
 };
 
-v1::SweepLine render(const sweep::Case& one, sweep::CaseRunner& runner, const Options& options,
-                     const fs::path& resultsFile) {
+v1::SweepLine measured(const sweep::Case& one, sweep::CaseRunner& runner, const Options& options,
+                       const fs::path& resultsFile) {
   v1::RenderRequest request = one.request;
+  std::optional<client::Stability> along;
+  if (one.along) {
+    auto run = runner.stability(*one.along);
+    if (!run) return makeLine(one, run.error());
+    along = std::move(*run);
+    *request.mutable_view() = along->accepted.view();
+    *request.mutable_light() = along->accepted.light();
+  }
   if (!options.images.empty())
     for (const v1::Aov aov : sweep::kPictureImages) request.add_images(aov);
   const auto rendering = runner.render(request);
   if (!rendering) return makeLine(one, rendering.error());
-  v1::SweepLine line = makeLine(one, *rendering);
+  v1::SweepLine line = makeLine(one, *rendering, along);
   if (options.images.empty()) return line;
   const auto pictures = sweep::makePictures(one, *rendering, options.images);
   image::writeFiles(pictures);
@@ -169,7 +178,7 @@ void sweepCases(Session& session, const Options& options) {
                              std::chrono::duration_cast<std::chrono::milliseconds>(patience));
     try {
       sweep::inParallel(cases.list.size(), casesInFlight(servers, call), stop, [&](std::size_t i) {
-        const v1::SweepLine line = render(cases.list[i], runner, options, path);
+        const v1::SweepLine line = measured(cases.list[i], runner, options, path);
         if (!stop.stop_requested()) results.add(line);
       });
     } catch (const sweep::ServersGone& gone) {

@@ -29,6 +29,8 @@ Result<StabilityCall::Work> StabilityCall::prepared(StabilitySpec spec, const Lo
   if (!job) return std::unexpected(std::move(job.error()));
   frames_ = static_cast<std::uint32_t>(job->views.size());
   Work work{.accepted = {}, .outputBytes = outputBytes(*job), .run = nullptr};
+  toProto(job->views.front(), work.accepted.mutable_accepted()->mutable_view());
+  toProto(job->lights.front(), work.accepted.mutable_accepted()->mutable_light());
   work.run = [this, job = std::move(*job)](Renderer& renderer, const Interrupt& interrupt) {
     return renderer.runStability(job, interrupt, *this);
   };

@@ -91,9 +91,9 @@ std::string csvOf(const std::vector<Case>& cases) {
                                   "device", "driver", "baseline", "repetitions", "method", "label"};
   for (const std::string& key : parameters) header.push_back(fmt::format("parameter.{}", key));
   const auto numberNames = numbers({});
-  for (const auto& [name, value] : numberNames) header.push_back(name);
-  for (const auto& [name, value] : steadiness({})) header.push_back(name);
-  header.push_back("on_front");
+  for (const auto& [name, value] : numberNames) header.emplace_back(name);
+  for (const auto& [name, value] : steadiness({})) header.emplace_back(name);
+  header.emplace_back("on_front");
   for (const std::string& name : passes) header.push_back(fmt::format("pass.{}.ms", name));
   header.insert(header.end(), {"error_code", "error_message"});
 
@@ -120,7 +120,7 @@ std::string csvOf(const std::vector<Case>& cases) {
       fields.push_back(one.failed ? "" : fmt::format("{}", value));
     for (const auto& [name, value] : steadiness(one.stability.value_or(Stability{})))
       fields.push_back(one.stability ? fmt::format("{}", value) : "");
-    fields.push_back(one.failed ? "" : front.contains(one.id) ? "1" : "0");
+    fields.emplace_back(one.failed ? "" : front.contains(one.id) ? "1" : "0");
     for (const std::string& name : passes) {
       const auto pass = std::ranges::find(one.passes, name, &Pass::name);
       fields.push_back(pass == one.passes.end() ? "" : fmt::format("{}", pass->ms.median));

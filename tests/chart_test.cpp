@@ -146,6 +146,38 @@ TEST_F(ChartTest, CsvQuotesWhatItMust) {
   EXPECT_TRUE(csv.ends_with(",1,4.5,,\r\n")) << csv;  // on the front, its pass, no error
 }
 
+// A still case may be of a view of the same name.
+TEST_F(ChartTest, ACaseAlongAPathIsItsOwnConfiguration) {
+  json moved = line("1", "sm", 1, 0.9);
+  moved["view_name"] = "";
+  moved["motion"] = {{"path_name", "front"}, {"light_path_name", ""}, {"frames", 24}};
+  moved["stability"] = {{"flip_rate", 0.0},   {"pop", 0.125},   {"texel_jump", 2.5},
+                        {"wrong_rate", 0.25}, {"points", 2000}, {"frames", 24}};
+  const auto cases =
+      chart::readResults({write("a", moved.dump() + "\n" + line("2", "sm", 1, 0.9).dump())}).cases;
+  ASSERT_EQ(cases.size(), 2u);
+  EXPECT_EQ(cases[0].view, "along front");
+  EXPECT_EQ(cases[1].view, "front");
+  ASSERT_TRUE(cases[0].stability);
+  EXPECT_FALSE(cases[1].stability);
+  EXPECT_EQ(cases[0].stability->pop, 0.125);
+  const std::string csv = chart::csvOf(cases);
+  EXPECT_NE(csv.find("flip_rate,pop,texel_jump,points_wrong,points,frames,on_front"), std::string::npos)
+      << csv;
+  EXPECT_NE(csv.find(",0,0.125,2.5,0.25,2000,24,1,4.5"), std::string::npos) << csv;
+  EXPECT_NE(csv.find(",,,,,,,1,4.5"), std::string::npos) << csv;  // the still one
+
+  const fs::path svg = folder.path() / "figures";
+  ASSERT_EQ(sundial({"chart", (folder.path() / "a").string(), "-o", (folder.path() / "p.html").string(),
+                     "--svg", svg.string()})
+                .status,
+            0);
+  EXPECT_NE(
+      contents((svg / "stability-builtin-discs-along-front-sun-96x64.svg").string()).find("class=\"band\""),
+      std::string::npos);  // of zeros
+  EXPECT_FALSE(fs::exists(svg / "stability-builtin-discs-front-sun-96x64.svg"));
+}
+
 TEST_F(ChartTest, TheCommandWritesAllThatIsAsked) {
   const fs::path out = folder.path() / "page.html", csv = folder.path() / "t.csv",
                  svg = folder.path() / "figures";

@@ -211,4 +211,48 @@ grpc::Status FakeServer::Render(grpc::ServerContext* context, const v1::RenderRe
   return going ? grpc::Status::OK : brokenOff;
 }
 
+grpc::Status FakeServer::Stability(grpc::ServerContext* context, const v1::StabilityRequest* request,
+                                   grpc::ServerWriter<v1::StabilityEvent>* writer) {
+  ++runs;
+  {
+    const std::lock_guard lock(mutex_);
+    lastRun = *request;
+  }
+  if (const grpc::Status status = misbehave(*context); !status.ok()) return status;
+  if (const grpc::Status status = judgeRun ? judgeRun(*request) : grpc::Status::OK; !status.ok())
+    return status;
+  if (!knows(request->scene()))
+    return {grpc::NOT_FOUND, "scene '" + request->scene() + "' isn't loaded: upload it again"};
+  if (request->has_path_name() && request->path_name() != "walk")
+    return {grpc::NOT_FOUND, "the scene has no path '" + request->path_name() + "': it has walk"};
+
+  v1::RenderRequest first;
+  first.set_scene(request->scene());
+  v1::View& view = *first.mutable_view();
+  view.mutable_eye()->set_y(1);
+  view.mutable_target()->set_z(-4);
+  view.mutable_up()->set_y(1);
+  view.set_vertical_fov_degrees(70);
+  bool going = true;
+  const auto send = [&](v1::StabilityEvent event) {
+    if (going && tamperRun) going = tamperRun(event);
+    if (going) going = writer->Write(event);
+  };
+  v1::StabilityEvent event;
+  *event.mutable_accepted() = acceptedOf(first);
+  send(event);
+  for (int m = 0; m < request->methods_size(); ++m) {
+    event.mutable_outcome()->set_method(static_cast<unsigned>(m));
+    v1::StabilityResult& result = *event.mutable_outcome()->mutable_result();
+    result.set_method(request->methods(m).name());
+    result.set_flip_rate(request->methods(m).name() == "sm" ? 0 : 0.25);
+    result.set_points(request->points());
+    for (unsigned frame = 0; frame < request->frames(); ++frame) result.add_flips_per_frame(0);
+    send(event);
+  }
+  event.mutable_done();
+  send(event);
+  return going ? grpc::Status::OK : brokenOff;
+}
+
 }  // namespace sundial::test

@@ -48,12 +48,15 @@ class FakeServer final : public v1::Sundial::Service {
   std::atomic<int> lost = 0;       // so many calls end in UNAVAILABLE
   std::function<void()> hang;      // called, and then renderings go on until they are cancelled
   grpc::Status refusal;            // of every rendering and upload, unless OK
-  std::function<grpc::Status(const v1::RenderRequest&)> judge;  // the same, of one rendering
-  void forget();                                                // all scenes that were uploaded
+  std::function<grpc::Status(const v1::RenderRequest&)> judge;        // the same, of one rendering
+  std::function<grpc::Status(const v1::StabilityRequest&)> judgeRun;  // the same, of one run along a path
+  std::function<bool(v1::StabilityEvent&)> tamperRun;                 // as `tamper`
+  void forget();                                                      // all scenes that were uploaded
 
   // What it got.
-  std::atomic<int> renderings = 0, uploads = 0;
+  std::atomic<int> renderings = 0, runs = 0, uploads = 0;
   v1::RenderRequest lastRequest;
+  v1::StabilityRequest lastRun;
   std::string uploadedMain;
   std::map<std::string, std::string> uploaded;  // contents by URI
   std::size_t largestChunk = 0;
@@ -70,6 +73,9 @@ class FakeServer final : public v1::Sundial::Service {
                            v1::UnloadSceneResponse*) override;
   grpc::Status Render(grpc::ServerContext*, const v1::RenderRequest*,
                       grpc::ServerWriter<v1::RenderEvent>*) override;
+  // Knows the path "walk". Nothing flips with sm.
+  grpc::Status Stability(grpc::ServerContext*, const v1::StabilityRequest*,
+                         grpc::ServerWriter<v1::StabilityEvent>*) override;
 
  private:
   grpc::Status misbehave(grpc::ServerContext&);

@@ -72,6 +72,8 @@ TEST_F(StabilityServiceTest, EventsComeInOrder) {
   // Accepted; for each method three frames, a picture's begin, chunk and end, the outcome; done.
   ASSERT_EQ(order, "1222345622234567");
   EXPECT_EQ(answer.events[0].accepted().bytes_expected(), 2u * 4 * 2 * 4);
+  EXPECT_EQ(answer.events[0].accepted().view().eye().z(), 5);  // of the first frame
+  EXPECT_EQ(answer.events[0].accepted().light().sun().direction().y(), -1);
   EXPECT_EQ(answer.events[2].frame().frame(), 1u);
   EXPECT_EQ(answer.events[2].frame().frames(), 3u);
   EXPECT_EQ(answer.events[4].picture_begin().flipped(0).y(), 2);

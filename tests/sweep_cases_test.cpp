@@ -95,6 +95,57 @@ TEST(SweepCases, AnIdStaysWhatItIs) {
   EXPECT_EQ(cases[0].id, "0d84d42464a4c4ab");
 }
 
+TEST(SweepCases, AnIdAlongAPathStaysWhatItIs) {
+  const auto cases =
+      casesOf(R"(group { scene: "builtin:grid" size { width: 64 height: 48 } path { name: "orbit" }
+    light { name: "sun" } method { name: "sm" } frames: 6 points: 500 })");
+  EXPECT_EQ(cases[0].id, "1d1a07a4751f0f28");
+}
+
+TEST(SweepCases, WhatMovesComesAfterWhatStands) {
+  const auto cases = casesOf(R"(group { scene: "a" view { name: "v" } path { name: "p" } light { name: "l" }
+    light_path { name: "q" } method { name: "sm" } })");
+  ASSERT_EQ(cases.size(), 4u);
+  EXPECT_FALSE(cases[0].along);
+  const std::pair<const char*, const char*> names[] = {{"", ""}, {"", "q"}, {"p", ""}, {"p", "q"}};
+  for (std::size_t i = 0; i < cases.size(); ++i) {
+    EXPECT_EQ(cases[i].pathName, names[i].first);
+    EXPECT_EQ(cases[i].lightPathName, names[i].second);
+  }
+  EXPECT_EQ(cases[1].along->view_name(), "v");
+  EXPECT_EQ(cases[1].along->light_path_name(), "q");
+  EXPECT_EQ(cases[2].along->path_name(), "p");
+  EXPECT_EQ(cases[2].along->light_name(), "l");
+  EXPECT_EQ(cases[3].along->light_path_name(), "q");
+  EXPECT_EQ(cases[2].request.view_choice_case(), v1::RenderRequest::VIEW_CHOICE_NOT_SET);
+  EXPECT_EQ(cases[2].request.light_name(), "l");
+  EXPECT_EQ(cases[3].along->frames(), 0u);  // as many as the path has
+  EXPECT_EQ(cases[3].along->points(), 4096u);
+  EXPECT_EQ(cases[3].along->seed(), 1u);
+  EXPECT_EQ(cases[3].along->methods(0).name(), "sm");
+  // Paths alone bring no still case.
+  EXPECT_EQ(casesOf(R"(group { scene: "a" path { name: "p" } method { name: "sm" } })").size(), 1u);
+}
+
+TEST(SweepCases, PathsAreReadFromFilesAndWrittenInPlace) {
+  const test::TemporaryFolder folder;
+  std::ofstream(folder.path() / "turn.textproto") << "keys { eye { x: 1 } } keys { eye { x: 2 } } frames: 7";
+  std::ofstream(folder.path() / "day.textproto") << "keys { sun { direction { y: -1 } } } frames: 9";
+  const auto read = casesOf(R"(group { scene: "a" method { name: "sm" } path { file: "turn.textproto" }
+    light_path { name: "noon" file: "day.textproto" } })",
+                            folder.path());
+  ASSERT_EQ(read.size(), 1u);
+  EXPECT_EQ(read[0].pathName, "turn");
+  EXPECT_EQ(read[0].lightPathName, "noon");
+  EXPECT_EQ(read[0].along->path().keys(1).vertical_fov_degrees(), 60);
+  EXPECT_EQ(read[0].along->path().keys(1).up().y(), 1);
+  EXPECT_EQ(read[0].along->frames(), 7u);  // the camera's go first
+  const auto inPlace = casesOf(R"(group { scene: "a" method { name: "sm" } frames: 7
+    path { name: "x" keys { keys { eye { x: 1 } up { y: 1 } } keys { eye { x: 2 } vertical_fov_degrees: 60 } } }
+    light_path { name: "y" keys { keys { sun { direction { y: -1 } } } } } })");
+  EXPECT_EQ(idsOf(inPlace), idsOf(read));  // the same, however it is written
+}
+
 TEST(SweepCases, IdsDontDependOnTheOrder) {
   const auto turned = casesOf(R"(repetitions: 7 baseline: "dv" group {
     method { name: "rt" }
@@ -120,6 +171,14 @@ TEST(SweepCases, EverythingOfACaseTellsItsIdApart) {
       R"(scene: "a" method { name: "sm" } view { name: "v" view { eye { x: 1 } } }
          view { name: "v" view { target { x: 1 } } } view { view { eye { x: 1.0000000000000002 } } }
          view { view { eye { x: 1 } vertical_fov_degrees: 61 } } view { view { eye { x: 1 } up { z: 1 } } })",
+      R"(scene: "a" method { name: "sm" } path { name: "v" } path { name: "w" })",
+      R"(scene: "a" method { name: "sm" } light_path { name: "v" })",
+      R"(scene: "a" method { name: "sm" } path { name: "v" } light { name: "v" } light_path { name: "v" })",
+      R"(scene: "a" method { name: "sm" } path { name: "v" } frames: 5)",
+      R"(scene: "a" method { name: "sm" } path { name: "v" } points: 5)",
+      R"(scene: "a" method { name: "sm" } path { name: "v" } seed: 5)",
+      R"(scene: "a" method { name: "sm" } frames: 5 path { name: "v" keys { keys { eye { x: 1 } } } }
+         path { name: "v" keys { keys { eye { x: 1 } } keys { eye { x: 1 } } } })",
       R"(scene: "a" method { name: "sm" } light { light { sun { direction { x: 1 } } } }
          light { light { point { position { x: 1 } } } } light { light { spot { eye { x: 1 } } } }
          light { light { spot { target { x: 1 } } } } light { light { spot { target { x: 1 } cone_degrees: 9 } } })"};
@@ -129,7 +188,7 @@ TEST(SweepCases, EverythingOfACaseTellsItsIdApart) {
     count += casesOf("group {" + group + "}").size();
     all += "group {" + group + "}";
   }
-  EXPECT_EQ(count, 21u);
+  EXPECT_EQ(count, 31u);
   EXPECT_EQ(casesOf(all).size(), count);
 }
 
@@ -183,6 +242,23 @@ TEST(SweepCases, RefuseWhatCanNeverBe) {
       {R"(group { scene: "a" method { name: "sm" } size { width: 8 } })", "size is 8x0"},
       {R"(group { scene: "a" method { name: "sm" } view {} })", "neither a name nor a view"},
       {R"(group { scene: "a" method { name: "sm" } light { light {} } })", "neither a name nor a sun"},
+      {R"(group { scene: "a" method { name: "sm" } frames: 5 })", "nothing does"},
+      {R"(group { scene: "a" method { name: "sm" } path {} })", "a path has neither"},
+      {R"(group { scene: "a" method { name: "sm" } light_path {} })", "a light_path has neither"},
+      {R"(group { scene: "a" method { name: "sm" } path { keys { keys {} frames: 5 } } })",
+       "a path has neither"},
+      {R"(group { scene: "a" method { name: "sm" } path { name: "x" keys { frames: 5 } } })",
+       "'x' has 0 keys"},
+      {R"(group { scene: "a" method { name: "sm" } path { name: "x" keys { keys {} } } })",
+       "'x' has 0 frames"},
+      {R"(group { scene: "a" method { name: "sm" } path { name: "x" keys { keys {} frames: 2001 } } })",
+       "2001 frames"},
+      {R"(group { scene: "a" method { name: "sm" } path { name: "x" keys {} file: "y" } })",
+       "give one of them"},
+      {R"(group { scene: "a" method { name: "sm" } path { file: "gone.textproto" } })",
+       "path: can't read ./gone.textproto"},
+      {R"(group { scene: "a" method { name: "sm" } path { name: "x" } frames: 2001 })", "frames is 2001"},
+      {R"(group { scene: "a" method { name: "sm" } path { name: "x" } points: 65537 })", "points is 65537"},
       {R"(group { scene: "./gone.glb" method { name: "sm" } })", "gone.glb"},
       {R"(baseline: "sm,x" group { scene: "a" method { name: "sm" } })", "baseline: "},
       {R"(repetitions: 5 max_repetitions: 4 group { scene: "a" method { name: "sm" } })",

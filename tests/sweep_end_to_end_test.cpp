@@ -83,8 +83,12 @@ TEST(SweepEndToEnd, KillingAServerAndTheClientChangesNothing) {
       method { name: "dv" parameter { key: "texels" value: ["64", "128", "256", "512", "1024"] } }
       method { name: "ray-traced" }
       method { name: "sm" parameter { key: "texels" value: "three" } }
+    }
+    group { scene: "builtin:grid" size { width: 96 height: 64 } path { name: "orbit" } frames: 4 points: 400
+      method { name: "sm" parameter { key: "texels" value: ["128", "256"] } }
+      method { name: "dv" parameter { key: "texels" value: ["128", "256"] } }
     })";
-  constexpr long kCases = 24;
+  constexpr long kCases = 28;
 
   Server a, b;
   const auto command = [&](const std::string& results, const std::string& more = "--quiet") {
@@ -96,7 +100,7 @@ TEST(SweepEndToEnd, KillingAServerAndTheClientChangesNothing) {
   };
   const Outcome undisturbed = sundial(command(path("undisturbed.jsonl")));
   ASSERT_EQ(undisturbed.status, 1) << undisturbed.err;  // two cases can't be
-  EXPECT_NE(undisturbed.err.find("2 of 24 cases failed"), std::string::npos) << undisturbed.err;
+  EXPECT_NE(undisturbed.err.find("2 of 28 cases failed"), std::string::npos) << undisturbed.err;
   const auto whole = withoutTimes(path("undisturbed.jsonl"));
   ASSERT_EQ(whole.size(), static_cast<std::size_t>(kCases));
 
@@ -117,6 +121,32 @@ TEST(SweepEndToEnd, KillingAServerAndTheClientChangesNothing) {
   const Outcome resumed = sundial(command(results, "--resume"));
   EXPECT_EQ(resumed.status, 1) << resumed.err;
   EXPECT_EQ(withoutTimes(results), whole);
+}
+
+// A map of the whole scene stands still while the camera moves; one that follows the view samples doesn't.
+TEST(SweepEndToEnd, AMovingCameraFlipsWhatFollowsIt) {
+  const TemporaryFolder folder;
+  const std::string spec = (folder.path() / "spec").string(), results = (folder.path() / "r").string();
+  std::ofstream(spec) << R"(repetitions: 1 max_repetitions: 1
+    group { scene: "builtin:grid" size { width: 96 height: 64 } path { name: "orbit" } frames: 6 points: 1000
+      method { name: "sm" parameter { key: "texels" value: "256" } }
+      method { name: "dv" parameter { key: "texels" value: "256" } } })";
+  const Outcome outcome = sundial({"sweep", spec, "-o", results});
+  ASSERT_EQ(outcome.status, 0) << outcome.err;
+  std::map<std::string, nlohmann::json> lines;
+  std::istringstream file(contents(results));
+  for (std::string text; std::getline(file, text);) {
+    const auto line = nlohmann::json::parse(text);
+    lines[line["method"]] = line;
+  }
+  EXPECT_EQ(lines["sm"]["stability"]["flip_rate"], 0);
+  EXPECT_EQ(lines["sm"]["stability"]["texel_jump"], 0);
+  EXPECT_GT(lines["dv"]["stability"]["flip_rate"], 0);
+  EXPECT_GT(lines["dv"]["stability"]["pairs"], 0);
+  for (const auto& [method, line] : lines) {
+    EXPECT_GT(line["measures"]["pixel_match"], 0.5) << method;
+    EXPECT_LT(line["measures"]["pixel_match"], 1) << method;
+  }
 }
 
 // No two frame times are alike, so this target is never met, and a wide one always is.

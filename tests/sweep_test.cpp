@@ -23,8 +23,13 @@ constexpr const char* kSpec = R"(repetitions: 2 group {
   method { name: "sm" parameter { key: "texels" value: ["16", "32", "64", "128", "256", "512"] } }
   method { name: "dv" parameter { key: "texels" value: ["16", "32", "64", "128"] } }
   method { name: "ray-traced" }
+}
+group {
+  scene: "builtin:discs" size { width: 32 height: 24 } path { name: "walk" } frames: 3 points: 9
+  method { name: "sm" parameter { key: "texels" value: "64" } }
+  method { name: "dv" parameter { key: "texels" value: "64" } }
 })";
-constexpr std::size_t kCases = 11;
+constexpr std::size_t kCases = 13, kAlongPaths = 2;
 
 class SweepTest : public testing::Test {
  protected:
@@ -70,7 +75,7 @@ TEST_F(SweepTest, WritesALineForEveryCase) {
   const Outcome outcome = sweep();
   ASSERT_EQ(outcome.status, 0) << outcome.err;
   EXPECT_EQ(outcome.err, "");
-  EXPECT_EQ(outcome.out, results + ": 11 cases, 11 rendered, 0 done before, 0 failed\n");
+  EXPECT_EQ(outcome.out, results + ": 13 cases, 13 rendered, 0 done before, 0 failed\n");
   ASSERT_EQ(lines().size(), kCases);
   for (const json& line : lines()) {
     for (const char* name : {"case",
@@ -94,7 +99,8 @@ TEST_F(SweepTest, WritesALineForEveryCase) {
                              "passes",
                              "plan"})
       EXPECT_TRUE(line.contains(name)) << name << " in " << line;
-    for (const char* name : {"stability", "images", "error"}) EXPECT_FALSE(line.contains(name)) << name;
+    for (const char* name : {"images", "error"}) EXPECT_FALSE(line.contains(name)) << name;
+    EXPECT_EQ(line.contains("stability"), line.contains("motion"));
     EXPECT_EQ(line["case"].get<std::string>().size(), 16u);
     EXPECT_EQ(line["scene"], "builtin:discs");
     EXPECT_EQ(line["size"], (json{32, 24}));
@@ -109,6 +115,42 @@ TEST_F(SweepTest, WritesALineForEveryCase) {
   }
   EXPECT_EQ(server.lastRequest.max_repetitions(), 25u);
   EXPECT_EQ(server.lastRequest.quartile_target(), 0.1);
+}
+
+// One line has both: how steady the method is along the path, and how right at its first frame.
+TEST_F(SweepTest, AlongAPathALineHasStabilityAndTheAccuracyOfTheFirstFrame) {
+  const std::string one =
+      written("one.textproto", R"(group { scene: "builtin:discs" size { width: 32 height: 24 }
+    path { name: "walk" } method { name: "dv" } frames: 3 points: 9 seed: 5 })");
+  ASSERT_EQ(sundial({"--server", addressOf(server), "sweep", one, "-o", results}).status, 0);
+  ASSERT_EQ(lines().size(), 1u);
+  const json line = lines()[0];
+  EXPECT_EQ(
+      line["motion"],
+      (json{{"path_name", "walk"}, {"light_path_name", ""}, {"frames", 3}, {"points", 9}, {"seed", 5}}));
+  EXPECT_EQ(line["stability"]["flip_rate"], 0.25);
+  EXPECT_EQ(line["stability"]["frames"], 3);
+  for (const char* name : {"pop", "texel_jump", "wrong_rate", "points", "pairs"})
+    EXPECT_TRUE(line["stability"][name].is_number()) << name;
+  EXPECT_EQ(server.lastRun.frames(), 3u);
+  EXPECT_EQ(server.lastRun.points(), 9u);
+  EXPECT_EQ(server.lastRun.seed(), 5u);
+  EXPECT_EQ(server.lastRequest.view().vertical_fov_degrees(), 70);  // the fake path's
+  EXPECT_EQ(line["view"]["target"]["z"], -4);
+  EXPECT_EQ(line["view_name"], "");
+  EXPECT_TRUE(line["measures"]["pixel_match"].is_number());
+}
+
+TEST_F(SweepTest, APathThatIsNotThereIsALine) {
+  const std::string one =
+      written("one.textproto", R"(group { scene: "builtin:discs" size { width: 8 height: 8 }
+    path { name: "nowhere" } method { name: "sm" } })");
+  EXPECT_EQ(sundial({"--server", addressOf(server), "sweep", one, "-o", results}).status, 1);
+  ASSERT_EQ(lines().size(), 1u);
+  EXPECT_EQ(lines()[0]["error"]["message"], "the scene has no path 'nowhere': it has walk");
+  EXPECT_EQ(lines()[0]["motion"]["path_name"], "nowhere");
+  EXPECT_FALSE(lines()[0].contains("stability"));
+  EXPECT_EQ(server.renderings, 0);
 }
 
 TEST_F(SweepTest, RefusesWhatItCanRefuseBeforeItAsks) {
@@ -139,7 +181,7 @@ TEST_F(SweepTest, ACaseThatFailsIsALineAndTheSweepGoesOn) {
   };
   const Outcome outcome = sweep();
   EXPECT_EQ(outcome.status, 1);
-  EXPECT_NE(outcome.err.find("2 of 11 cases failed"), std::string::npos) << outcome.err;
+  EXPECT_NE(outcome.err.find("2 of 13 cases failed"), std::string::npos) << outcome.err;
   EXPECT_EQ(std::ranges::count(outcome.err, '\n'), 1) << outcome.err;
   ASSERT_EQ(lines().size(), kCases);
   std::map<std::string, std::string> errors;
@@ -175,7 +217,7 @@ TEST_F(SweepTest, ResumesAfterATornLine) {
   EXPECT_EQ(withoutTimes(results), whole);
   const json summary = json::parse(outcome.out);
   EXPECT_EQ(summary["resumed"], 4);
-  EXPECT_EQ(summary["rendered"], 7);
+  EXPECT_EQ(summary["rendered"], 9);
   EXPECT_EQ(summary["failed"], 0);
 }
 
@@ -196,22 +238,26 @@ TEST_F(SweepTest, ShardsMergeByConcatenation) {
 TEST_F(SweepTest, WaitsForAFullQueueHoweverLong) {
   server.queueFull = 200;
   ASSERT_EQ(sweep().status, 0);
-  EXPECT_EQ(server.renderings, static_cast<int>(kCases) + 200);
+  EXPECT_EQ(server.renderings + server.runs, static_cast<int>(kCases + kAlongPaths) + 200);
   EXPECT_EQ(withoutTimes(results), undisturbed());
 }
 
 TEST_F(SweepTest, RendersAgainWhatBreaksOff) {
-  std::atomic<int> breaks = 6;
+  std::atomic<int> breaks = 6, runBreaks = 3;
   for (const grpc::Status& how :
        {grpc::Status(grpc::UNAVAILABLE, "killed"), grpc::Status(grpc::UNKNOWN, "a proxy's server was killed"),
         grpc::Status::OK}) {
     fs::remove(results);
-    breaks = 6;
+    breaks = 6, runBreaks = 3;
     server.brokenOff = how;
     server.tamper = [&](const v1::RenderEvent& event) { return !(event.has_timings() && breaks-- > 0); };
+    server.tamperRun = [&](const v1::StabilityEvent& event) {
+      return !(event.has_outcome() && runBreaks-- > 0);
+    };
     ASSERT_EQ(sweep().status, 0) << how.error_code();
     EXPECT_EQ(withoutTimes(results), undisturbed());
     EXPECT_LE(breaks, 0);
+    EXPECT_LE(runBreaks, 0);
   }
 }
 
@@ -281,7 +327,7 @@ TEST_F(SweepTest, GivesUpWhenNoServerIsLeftAndLosesNothing) {
   };
   const Outcome some = sweep({"--patience", "0", "--resume"});
   EXPECT_EQ(some.status, 1);
-  EXPECT_NE(some.err.find(" of 11 cases are in "), std::string::npos) << some.err;
+  EXPECT_NE(some.err.find(" of 13 cases are in "), std::string::npos) << some.err;
   EXPECT_LE(lines().size(), 3u);
   server.judge = {};
   EXPECT_EQ(sweep({"--resume"}).status, 0);

@@ -32,6 +32,14 @@ export const configurationOf = one => FILTERS.map(key => one[key]).join('\n');
 export const matching = (cases, chosen, hidden = new Set()) =>
   cases.filter(one => !hidden.has(one.method) && FILTERS.every(key => !chosen[key] || one[key] === chosen[key]));
 
+// Those along a path, and those that time and error are drawn of: where nothing moves, or all where everything does.
+// A path's time and error are of its first frame alone, and not every method need be sent along every path.
+export const moving = cases => cases.filter(one => one.stability);
+export const pictured = cases => {
+  const still = cases.filter(one => !one.stability && !one.error);
+  return still.length ? still : cases;
+};
+
 const mean = values => values.reduce((sum, value) => sum + value, 0) / values.length;
 
 // Of ratios and times; a zero among them would make it zero.

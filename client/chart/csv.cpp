@@ -73,6 +73,12 @@ std::vector<std::pair<const char*, double>> numbers(const Case& one) {
           {"plan_views", static_cast<double>(one.planViews)}};
 }
 
+// Those of a case in which something moves.
+std::vector<std::pair<const char*, double>> steadiness(const Stability& s) {
+  return {{"flip_rate", s.flipRate},     {"pop", s.pop},       {"texel_jump", s.texelJump},
+          {"points_wrong", s.wrongRate}, {"points", s.points}, {"frames", s.frames}};
+}
+
 }  // namespace
 
 std::string csvOf(const std::vector<Case>& cases) {
@@ -85,8 +91,9 @@ std::string csvOf(const std::vector<Case>& cases) {
                                   "device", "driver", "baseline", "repetitions", "method", "label"};
   for (const std::string& key : parameters) header.push_back(fmt::format("parameter.{}", key));
   const auto numberNames = numbers({});
-  for (const auto& [name, value] : numberNames) header.push_back(name);
-  for (const char* name : {"flip_rate", "pop", "on_front"}) header.push_back(name);
+  for (const auto& [name, value] : numberNames) header.emplace_back(name);
+  for (const auto& [name, value] : steadiness({})) header.emplace_back(name);
+  header.emplace_back("on_front");
   for (const std::string& name : passes) header.push_back(fmt::format("pass.{}.ms", name));
   header.insert(header.end(), {"error_code", "error_message"});
 
@@ -111,9 +118,9 @@ std::string csvOf(const std::vector<Case>& cases) {
     }
     for (const auto& [name, value] : numbers(one))
       fields.push_back(one.failed ? "" : fmt::format("{}", value));
-    fields.push_back(one.stability ? fmt::format("{}", one.stability->flipRate) : "");
-    fields.push_back(one.stability ? fmt::format("{}", one.stability->pop) : "");
-    fields.push_back(one.failed ? "" : front.contains(one.id) ? "1" : "0");
+    for (const auto& [name, value] : steadiness(one.stability.value_or(Stability{})))
+      fields.push_back(one.stability ? fmt::format("{}", value) : "");
+    fields.emplace_back(one.failed ? "" : front.contains(one.id) ? "1" : "0");
     for (const std::string& name : passes) {
       const auto pass = std::ranges::find(one.passes, name, &Pass::name);
       fields.push_back(pass == one.passes.end() ? "" : fmt::format("{}", pass->ms.median));

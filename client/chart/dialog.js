@@ -27,7 +27,9 @@ const numbers = one => list([
   ['store', bytes(one.m.store_bytes)], ['total', bytes(one.m.total_bytes)], ['allocated', bytes(one.m.allocated_bytes)],
   ['frame', `${significant(one.ms[0])} ms`, range(one.ms, significant)],
   ['ratio to ' + one.baseline, significant(one.ratio[0]), range(one.ratio, significant)],
-  ...(one.stability ? [['flip rate', percent(one.stability.flip_rate)], ['pop', percent(one.stability.pop)]] : []),
+  ...(one.stability ? [['flip rate', percent(one.stability.flip_rate)], ['pop', percent(one.stability.pop)],
+    ['texel jump', significant(one.stability.texel_jump)], ['points wrong', percent(one.stability.wrong_rate)],
+    ['points, frames', `${one.stability.points}, ${one.stability.frames}`]] : []),
 ]);
 
 const passes = one => {

@@ -34,26 +34,34 @@ std::string briefLabel(const std::string& label) {
   return label.substr(0, comma) + ' ' + label.substr(equals + 1);
 }
 
+// What is drawn against what; less of both is better.
+struct Axes {
+  std::string xTitle;
+  Spread (*x)(const Case&);
+  std::string yTitle;
+  double (*y)(const Case&);  // a share
+};
+
 page::ScatterChart scatter(const Configuration& cases, const std::map<std::string, std::size_t>& marks,
-                           std::string xTitle, Spread (*xOf)(const Case&)) {
+                           const Axes& axes) {
   const Case& first = *cases.front();
-  page::ScatterChart chart{.title = fmt::format("{}, {}, {}, {}: wrong pixels", first.scene, first.view,
-                                                first.light, first.sizeText()),
-                           .xTitle = std::move(xTitle),
-                           .yTitle = "wrong pixels [% of pixels with geometry]"};
+  page::ScatterChart chart{.title = fmt::format("{}, {}, {}, {}: {}", first.scene, first.view, first.light,
+                                                first.sizeText(), axes.yTitle),
+                           .xTitle = axes.xTitle,
+                           .yTitle = axes.yTitle};
   std::vector<Cost> costs;
   for (const Case* one : cases) {
-    const Spread x = xOf(*one);
-    const double wrong = one->measures.wrong();
+    const Spread x = axes.x(*one);
+    const double y = axes.y(*one);
     chart.points.push_back({.label = briefLabel(one->label),
-                            .tip = fmt::format("{}: {} wrong", one->label, page::percent(wrong)),
+                            .tip = fmt::format("{}: {}", one->label, page::percent(y)),
                             .family = one->method,
                             .mark = marks.at(one->method),
                             .x = x.median,
-                            .y = 100 * wrong,
+                            .y = 100 * y,
                             .lowerX = x.lower < x.upper ? x.lower : 0,
                             .upperX = x.upper});
-    costs.push_back({x.median, wrong});
+    costs.push_back({x.median, y});
   }
   chart.front = paretoFront(costs);
   return chart;
@@ -62,6 +70,15 @@ page::ScatterChart scatter(const Configuration& cases, const std::map<std::strin
 Spread memory(const Case& one) {
   const double mebibytes = one.measures.totalBytes / (1 << 20);
   return {mebibytes, mebibytes, mebibytes};
+}
+
+constexpr const char* kWrongTitle = "wrong pixels [% of pixels with geometry]";
+
+double wrong(const Case& one) { return one.measures.wrong(); }
+
+Spread wrongPercent(const Case& one) {
+  const double percent = 100 * wrong(one);
+  return {percent, percent, percent};
 }
 
 }  // namespace
@@ -81,11 +98,17 @@ std::vector<image::OutputFile> figures(const std::vector<Case>& cases, const std
     const auto add = [&](std::string_view kind, const std::string& svg) {
       files.push_back({folder / fmt::format("{}-{}.svg", kind, name), page::forPaper(svg)});
     };
+    const auto addScatter = [&](std::string_view kind, const Configuration& of, const Axes& axes) {
+      add(kind, page::scatterSvg(scatter(of, marks, axes)));
+    };
     const std::string ratio =
         fmt::format("frame time / that of {}, median and quartiles", members.front()->baseline);
-    add("error-time",
-        page::scatterSvg(scatter(members, marks, ratio, [](const Case& one) { return one.ratio; })));
-    add("error-memory", page::scatterSvg(scatter(members, marks, "memory [MiB]", memory)));
+    addScatter("error-time", members, {ratio, [](const Case& one) { return one.ratio; }, kWrongTitle, wrong});
+    addScatter("error-memory", members, {"memory [MiB]", memory, kWrongTitle, wrong});
+    if (std::ranges::all_of(members, [](const Case* one) { return one->stability.has_value(); }))
+      addScatter("stability", members,
+                 {kWrongTitle, wrongPercent, "flip rate [% of points and frames]",
+                  [](const Case& one) { return one.stability->flipRate; }});
     if (const std::string svg = passFigure(members); !svg.empty()) add("passes", svg);
   }
   return files;

@@ -9,7 +9,8 @@
 
 namespace sundial::chart {
 
-// In `folder`, for each configuration: error-time-NAME.svg, error-memory-NAME.svg and passes-NAME.svg.
+// In `folder`, for each configuration: error-time-NAME.svg, error-memory-NAME.svg, passes-NAME.svg, and along
+// a path stability-NAME.svg.
 std::vector<image::OutputFile> figures(const std::vector<Case>&, const std::filesystem::path& folder);
 
 }  // namespace sundial::chart

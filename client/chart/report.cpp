@@ -37,6 +37,11 @@ ordered_json json(const Measures& m) {
           {"allocated_bytes", m.allocatedBytes}};
 }
 
+ordered_json json(const Stability& s) {
+  return {{"flip_rate", s.flipRate},   {"pop", s.pop},       {"texel_jump", s.texelJump},
+          {"wrong_rate", s.wrongRate}, {"points", s.points}, {"frames", s.frames}};
+}
+
 ordered_json json(const Case& one, Pictures& pictures) {
   ordered_json object{{"id", one.id},           {"scene", one.scene},
                       {"view", one.view},       {"light", one.light},
@@ -54,8 +59,7 @@ ordered_json json(const Case& one, Pictures& pictures) {
   object["passes"] = ordered_json::array();
   for (const Pass& pass : one.passes)
     object["passes"].push_back({{"name", pass.name}, {"ms", json(pass.ms)}, {"work", pass.work}});
-  if (one.stability)
-    object["stability"] = {{"flip_rate", one.stability->flipRate}, {"pop", one.stability->pop}};
+  if (one.stability) object["stability"] = json(*one.stability);
   object["images"] = ordered_json::object();
   for (const auto& [name, file] : one.images)
     if (const std::string id = pictures.add(file); !id.empty()) object["images"][name] = id;
@@ -140,7 +144,10 @@ std::string definitions() {
       {"flip rate",
        "share of points and frames where the shadow changes and the reference's doesn't, while the camera or "
        "the light moves"},
-      {"pop", "the largest share of points that flip in one frame"}};
+      {"pop", "the largest share of points that flip in one frame"},
+      {"texel jump", "the largest |log2| of a shadow texel's size to that of the frame before"},
+      {"points wrong",
+       "share of the points, over all frames of the path, whose shadow isn't the reference's"}};
   std::string html = "<details><summary>What the numbers mean</summary><dl>";
   for (const auto& [term, meaning] : kTerms) html += fmt::format("<dt>{}</dt><dd>{}</dd>", term, meaning);
   return html + "</dl></details>";

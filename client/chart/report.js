@@ -1,12 +1,12 @@
 // The report: controls, and what they redraw.
-import {ERRORS, FILTERS, distinct, groupBy, matching, paretoFront, summarise} from './analysis.js';
+import {ERRORS, FILTERS, distinct, groupBy, matching, moving, paretoFront, pictured, summarise} from './analysis.js';
 import {bars} from './bars.js';
 import {openCases} from './dialog.js';
 import {byId, element, markPicture} from './elements.js';
 import {draw, note} from './figure.js';
 import {briefName, bytes, errorText, percent, range, significant, timeText} from './format.js';
 import {PADDING, scatter} from './scatter.js';
-import {drawCheapest, drawFailed, drawNumbers, drawPasses} from './tables.js';
+import {drawCheapest, drawFailed, drawFlips, drawNumbers, drawPasses} from './tables.js';
 
 const data = JSON.parse(byId('data').textContent);
 const cases = data.cases, marks = data.marks;
@@ -67,24 +67,25 @@ const drawBars = summaries => {
 
 const redraw = () => {
   const error = ERRORS.find(one => one.key === state.error);
-  const chosen = matching(cases, state.chosen, state.hidden), summaries = summarise(chosen, state.apart);
+  const matched = matching(cases, state.chosen, state.hidden), chosen = pictured(matched);
+  const summaries = summarise(chosen, state.apart), steadiness = summarise(moving(matched), state.apart);
   const errorTitle = `${error.title} [${error.unit}${error.of ? ' ' + error.of : ''}]`;
   const errorOf = one => scaled(one.m[error.key], error.factor);
   const timeOf = one => one[state.time][0] > 0 ? one[state.time] : null;
-  byId('stability-section').hidden = !cases.some(one => one.stability);
   drawScatter('error-time', pointsOf(summaries, error, timeOf, errorOf), timeTitle(), errorTitle, true, 480);
   drawScatter('error-bytes', pointsOf(summaries, error, one => scaled(one.m[state.memory], 2 ** -20), errorOf),
     `${{total_bytes: 'memory', store_bytes: 'memory of the store', allocated_bytes: 'memory set aside'}[state.memory]} [MiB]`,
     errorTitle, true, 380);
-  if (!byId('stability-section').hidden)
-    drawScatter('stability', pointsOf(summaries, error, errorOf, one => one.flip && scaled(one.flip, 100)), errorTitle,
-      'flip rate [% of points and frames]', true, 380);
+  drawScatter('stability', pointsOf(steadiness, error, errorOf, one => scaled(one.flip, 100)), errorTitle,
+    'flip rate [% of points and frames]', true, 380);
+  drawFlips({summaries: steadiness, marks, open});
   drawBars(summaries);
   drawCheapest({cases: matching(cases, {...state.chosen, scene: ''}, state.hidden), error, time: state.time, marks, open});
   drawNumbers({summaries, error, marks, open});
-  drawFailed(matching(cases, state.chosen, state.hidden));
+  drawFailed(matched);
   const count = chosen.filter(one => !one.error).length;
-  byId('count').textContent = `${summaries.length} marks of ${count} cases`;
+  const apart = matched.filter(one => !chosen.includes(one) && !one.error).length;
+  byId('count').textContent = `${summaries.length} marks of ${count} cases` + (apart ? `; ${apart} along a path stand under stability` : '');
 };
 
 // Controls.
@@ -123,6 +124,8 @@ byId('choices').append(
 byId('methods').append(...Object.keys(marks).map(method => element('label', {}, element('input', {type: 'checkbox', checked: true,
   value: method, onchange: e => { state.hidden[e.target.checked ? 'delete' : 'add'](method); redraw(); }}), markPicture(marks[method]), ' ', method)));
 byId('pass-legend').append(...data.passes.map(pass => element('span', {}, element('i', {style: `background:${pass.colour};opacity:${pass.opacity}`}), pass.name)));
+
+for (const id of ['stability-section', 'flips-section']) byId(id).hidden = !cases.some(one => one.stability);
 
 redraw();
 let width = innerWidth, timer = 0;

@@ -90,8 +90,10 @@ std::string placeIn(const json& object) {
   return "default";
 }
 
-// A view or light by its name, or else by where it is.
-std::string nameOr(const json& object, const char* name, const char* value) {
+// A view or light by its way or its name, or else by where it is.
+std::string nameOr(const json& object, const char* name, const char* value, const char* path) {
+  if (const std::string way = textOr(objectIn(object, "motion"), path, ""); !way.empty())
+    return "along " + way;
   const std::string given = textOr(object, name, "");
   return given.empty() ? placeIn(objectIn(object, value)) : given;
 }
@@ -114,6 +116,15 @@ Measures measuresOf(const json& object) {
           .allocatedBytes = numberOr(object, "allocated_bytes", 0)};
 }
 
+Stability stabilityOf(const json& object) {
+  return {.flipRate = number(object, "flip_rate"),
+          .pop = numberOr(object, "pop", 0),
+          .texelJump = numberOr(object, "texel_jump", 0),
+          .wrongRate = numberOr(object, "wrong_rate", 0),
+          .points = numberOr(object, "points", 0),
+          .frames = numberOr(object, "frames", 0)};
+}
+
 Pass passOf(const json& object) {
   Pass pass{text(object, "name"), spread(object, "gpu_ms", "quartiles"), {}};
   for (const auto& [name, count] : objectIn(object, "work").items())
@@ -127,8 +138,8 @@ Case caseOf(const json& line, const fs::path& folder) {
   result.id = text(line, "case");
   result.scene = text(line, "scene");
   result.method = text(line, "method");
-  result.view = nameOr(line, "view_name", "view");
-  result.light = nameOr(line, "light_name", "light");
+  result.view = nameOr(line, "view_name", "view", "path_name");
+  result.light = nameOr(line, "light_name", "light", "light_path_name");
   result.device = textOr(line, "device", "");
   result.driver = textOr(line, "driver", "");
   result.baseline = textOr(line, "baseline", "");
@@ -151,7 +162,7 @@ Case caseOf(const json& line, const fs::path& folder) {
   for (const json& pass : listIn(line, "passes")) result.passes.push_back(passOf(pass));
   result.planViews = listIn(objectIn(line, "plan"), "views").size();
   if (const json& stability = objectIn(line, "stability"); !stability.empty())
-    result.stability = Stability{number(stability, "flip_rate"), numberOr(stability, "pop", 0)};
+    result.stability = stabilityOf(stability);
   for (const auto& [name, file] : objectIn(line, "images").items())
     if (file.is_string() && !file.get<std::string>().empty())
       result.images[name] = folder / file.get<std::string>();

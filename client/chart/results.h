@@ -30,8 +30,9 @@ struct Measures {
   double wrong() const;  // 1 - pixelMatch, without the dust of the subtraction
 };
 
+// DESIGN section 3, along a path.
 struct Stability {
-  double flipRate = 0, pop = 0;
+  double flipRate = 0, pop = 0, texelJump = 0, wrongRate = 0, points = 0, frames = 0;
 };
 
 struct Failed {
@@ -39,6 +40,7 @@ struct Failed {
 };
 
 struct Case {
+  // View and light by name or place; "along NAME" where they move.
   std::string id, scene, view, light, device, driver, baseline, method;
   std::array<unsigned, 2> size{};  // pixels
   unsigned repetitions = 0;
@@ -48,7 +50,7 @@ struct Case {
   Measures measures;
   std::vector<Pass> passes;
   std::size_t planViews = 0;
-  std::optional<Stability> stability;
+  std::optional<Stability> stability;                   // where something moves
   std::map<std::string, std::filesystem::path> images;  // "picture", "error", "plan"
   std::optional<Failed> failed;                         // then there are no measures
 

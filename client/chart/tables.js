@@ -1,5 +1,5 @@
 // The tables: the cheapest method for each level of error, all numbers, what failed.
-import {FILTERS, cheapest, distinct, summarise} from './analysis.js';
+import {FILTERS, cheapest, distinct, groupBy, pictured, summarise} from './analysis.js';
 import {byId, element, markPicture, table} from './elements.js';
 import {briefName, bytes, errorText, levelText, percent, range, significant, timeText} from './format.js';
 
@@ -9,7 +9,7 @@ const opener = (summary, marks, open, text = summary.label) =>
 // A row a scene: `cases` are of all scenes.
 export const drawCheapest = ({cases, error, time, marks, open}) => {
   const rows = distinct(cases, 'scene').map(scene => {
-    const summaries = summarise(cases.filter(one => one.scene === scene));
+    const summaries = summarise(pictured(cases.filter(one => one.scene === scene)));
     return [scene, ...error.levels.map(level => {
       const best = cheapest(summaries, error.key, level, time);
       return best ? [opener(best, marks, open, briefName(best.label)), element('small', {class: 'below'},
@@ -32,6 +32,18 @@ export const drawNumbers = ({summaries, error, marks, open}) => {
     bytes(one.m.store_bytes[0]), bytes(one.m.total_bytes[0]), significant(one.ms[0]),
     [significant(one.ratio[0]), element('small', {}, ' ' + range(one.ratio, significant))],
     ...(withFlips ? [one.flip ? percent(one.flip[0]) : '–'] : [])])));
+};
+
+// A row a method, a column a path: what flips over all of it, and at most in one frame.
+export const drawFlips = ({summaries, marks, open}) => {
+  const all = summaries.flatMap(one => one.cases);
+  const named = ['view', 'light', ...['scene', 'size'].filter(key => distinct(all, key).length > 1)];
+  const paths = groupBy(all, one => named.map(key => one[key]).join(' · '));
+  byId('flips').replaceChildren(table(['method', ...paths.keys()], summaries.map(one => [opener(one, marks, open),
+    ...[...paths.values()].map(path => {
+      const found = path.find(other => one.cases.includes(other));
+      return found ? [percent(found.stability.flip_rate), element('small', {}, `pop ${percent(found.stability.pop)}`)] : '–';
+    })])));
 };
 
 export const drawFailed = cases => {

@@ -98,7 +98,7 @@ void addChart(CLI::App& app, Action& action) {
   command->add_option("--csv", options->csv, "a row a case, for spreadsheets")->type_name("FILE");
   command
       ->add_option("--svg", options->svg,
-                   "folder of charts for papers: error against time and memory, passes")
+                   "folder of charts for papers: error against time and memory, stability, passes")
       ->type_name("DIR");
   command
       ->add_option("--credit", options->credits,

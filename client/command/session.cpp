@@ -83,9 +83,11 @@ std::vector<client::MethodStability> Session::stability(const v1::StabilityReque
                                                         const std::string& title) {
   const client::Client& server = client();
   ProgressBar bar(title, options_.quiet);
-  return answer(server.stability(request, [&](double done, double total) {
-    if (total > 0) bar.show(done, total);
-  }));
+  return answer(server.stability(request,
+                                 [&](double done, double total) {
+                                   if (total > 0) bar.show(done, total);
+                                 }))
+      .methods;
 }
 
 Failure Session::explained(const client::Error& error) const {

@@ -1,15 +1,11 @@
 // sundial stability: how steady shadows are while the camera or the light moves.
 #include <fmt/format.h>
 #include <fmt/ranges.h>
-#include <google/protobuf/io/tokenizer.h>
-#include <google/protobuf/text_format.h>
 
 #include <algorithm>
 #include <filesystem>
-#include <fstream>
 #include <memory>
 #include <optional>
-#include <sstream>
 
 #include "command/command.h"
 #include "command/failure.h"
@@ -20,6 +16,7 @@
 #include "page/stability_page.h"
 #include "page/units.h"
 #include "sundial/method_choice.h"
+#include "sundial/read_text.h"
 
 namespace sundial::command {
 namespace {
@@ -41,15 +38,6 @@ struct Task {
   std::string label;
 };
 
-// The first thing that is wrong with a text.
-class FirstError final : public google::protobuf::io::ErrorCollector {
- public:
-  void AddError(int line, int column, const std::string& message) override {
-    if (text.empty()) text = fmt::format("line {}, column {}: {}", line + 1, column + 1, message);
-  }
-  std::string text;
-};
-
 // What has a slash or a dot is a file; other words are names of the scene's own.
 bool isFile(const std::string& path) { return path.find_first_of("/.") != std::string::npos; }
 
@@ -59,15 +47,9 @@ std::string nameOf(const std::string& path) {
 }
 
 void readKeys(const std::string& option, const std::string& file, google::protobuf::Message& path) {
-  std::ifstream input(file, std::ios::binary);
-  std::ostringstream text;
-  if (!input || !(text << input.rdbuf()))
-    throw refusal(fmt::format("{}: can't read '{}'; name a file, or a path of the scene", option, file));
-  google::protobuf::TextFormat::Parser parser;
-  FirstError error;
-  parser.RecordErrorsTo(&error);
-  if (!parser.ParseFromString(text.str(), &path))
-    throw refusal(fmt::format("{}: '{}' is no path in protobuf text format: {}", option, file, error.text));
+  if (const auto read = client::readText(file, path); !read)
+    throw refusal(fmt::format("{}: {}; name a file of keys in protobuf text format, or a path of the scene",
+                              option, read.error().message));
 }
 
 v1::StabilityRequest makeRequest(const Options& options) {

@@ -7,6 +7,7 @@
 #include <filesystem>
 #include <memory>
 #include <mutex>
+#include <optional>
 
 #include "command/command.h"
 #include "command/failure.h"
@@ -117,14 +118,22 @@ class Results {
   std::string firstError_;
 };
 
-v1::SweepLine render(const sweep::Case& one, sweep::CaseRunner& runner, const Options& options,
-                     const fs::path& resultsFile) {
+v1::SweepLine measured(const sweep::Case& one, sweep::CaseRunner& runner, const Options& options,
+                       const fs::path& resultsFile) {
   v1::RenderRequest request = one.request;
+  std::optional<client::Stability> along;
+  if (one.along) {
+    auto run = runner.stability(*one.along);
+    if (!run) return makeLine(one, run.error());
+    along = std::move(*run);
+    *request.mutable_view() = along->accepted.view();
+    *request.mutable_light() = along->accepted.light();
+  }
   if (!options.images.empty())
     for (const v1::Aov aov : sweep::kPictureImages) request.add_images(aov);
   const auto rendering = runner.render(request);
   if (!rendering) return makeLine(one, rendering.error());
-  v1::SweepLine line = makeLine(one, *rendering);
+  v1::SweepLine line = makeLine(one, *rendering, along);
   if (options.images.empty()) return line;
   const auto pictures = sweep::makePictures(one, *rendering, options.images);
   image::writeFiles(pictures);
@@ -169,7 +178,7 @@ void sweepCases(Session& session, const Options& options) {
                              std::chrono::duration_cast<std::chrono::milliseconds>(patience));
     try {
       sweep::inParallel(cases.list.size(), casesInFlight(servers, call), stop, [&](std::size_t i) {
-        const v1::SweepLine line = render(cases.list[i], runner, options, path);
+        const v1::SweepLine line = measured(cases.list[i], runner, options, path);
         if (!stop.stop_requested()) results.add(line);
       });
     } catch (const sweep::ServersGone& gone) {
@@ -195,7 +204,8 @@ void sweepCases(Session& session, const Options& options) {
 constexpr const char* kFooter = R"(Example:
   sundial --server a:50051,b:50051 sweep all.textproto -o results.jsonl --images pictures
 
-A specification, in protobuf text format (every scene x size x view x light x method x value):
+A specification, in protobuf text format (every scene x size x view or path x light or light path
+x method x value):
   group {
     scene: "builtin:grid"  scene: "./apartment.glb"
     size { width: 640 height: 480 }
@@ -206,9 +216,18 @@ A specification, in protobuf text format (every scene x size x view x light x me
     method { name: "sm" parameter { key: "texels" value: ["512", "1024", "2048"] } }
     method { name: "ray-traced" }
   }
+  group {
+    scene: "builtin:atrium"
+    path { name: "walk" }  path { file: "turn.textproto" }
+    method { name: "sm" }  method { name: "dv" }
+    frames: 24  points: 2000  seed: 1
+  }
+Along a path of the camera (path) or the light (light_path) a case is measured as 'sundial stability'
+does, and rendered at the first frame: its line has both. A file of keys is as in its help.
 Without size, view or light: 1024x1024 and the scene's defaults. Outside of groups there may be
 baseline: "sm,texels=2048", repetitions: 5, max_repetitions: 25 and quartile_target: 0.1: a case is
-repeated until the quartiles of its time's ratio to the baseline's are as close as that.
+repeated until the quartiles of its time's ratio to the baseline's are as close as that. Without frames,
+points or seed: as many frames as the path has, 4096 points, seed 1.
 
 A case that failed counts as done, with its error; remove its line to have it rendered again.)";
 
@@ -216,7 +235,7 @@ A case that failed counts as done, with its error; remove its line to have it re
 
 void addSweep(CLI::App& app, Action& action) {
   CLI::App* command =
-      app.add_subcommand("sweep", "Render many cases: scenes x views x lights x methods x sizes");
+      app.add_subcommand("sweep", "Render many cases: scenes x views, lights or paths x methods x sizes");
   command->footer(kFooter);
   const auto options = std::make_shared<Options>();
   command->add_option("SPEC", options->spec, "file that says which cases")->required();

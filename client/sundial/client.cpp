@@ -151,7 +151,7 @@ Expected<Rendering> Client::render(const v1::RenderRequest& request, const OnPro
       });
 }
 
-Expected<std::vector<MethodStability>> Client::stability(
+Expected<Stability> Client::stability(
     const v1::StabilityRequest& request,
     const std::function<void(double done, double total)>& onProgress) const {
   return assembled<StabilityAssembler, v1::StabilityEvent>(

@@ -44,9 +44,9 @@ class Client {
 
   // These return only what arrived whole: else DATA_LOSS.
   Expected<Rendering> render(const v1::RenderRequest&, const OnProgress& = {}) const;
-  // One a method. Called with the frames of all methods that are done, and how many there are.
-  Expected<std::vector<MethodStability>> stability(
-      const v1::StabilityRequest&, const std::function<void(double done, double total)>& = {}) const;
+  // Called with the frames of all methods that are done, and how many there are.
+  Expected<Stability> stability(const v1::StabilityRequest&,
+                                const std::function<void(double done, double total)>& = {}) const;
 
  private:
   std::unique_ptr<v1::Sundial::Stub> stub_;

@@ -16,7 +16,7 @@ grpc::Status lost(std::string_view why) {
 }  // namespace
 
 StabilityAssembler::StabilityAssembler(const v1::StabilityRequest& request)
-    : methods_(static_cast<std::size_t>(request.methods_size())),
+    : stability_{.accepted = {}, .methods = std::vector<MethodStability>(request.methods().size())},
       width_(request.width()),
       height_(request.height()) {}
 
@@ -30,9 +30,10 @@ grpc::Status StabilityAssembler::add(v1::StabilityEvent event) {
     case Event::kAccepted:
       if (accepted_) return lost("it begins twice");
       accepted_ = true;
+      stability_.accepted = std::move(*event.mutable_accepted());
       return grpc::Status::OK;
     case Event::kFrame:
-      frames_ = static_cast<double>(methods_.size()) * event.frame().frames();
+      frames_ = static_cast<double>(stability_.methods.size()) * event.frame().frames();
       ++framesDone_;
       return grpc::Status::OK;
     case Event::kPictureBegin:
@@ -46,8 +47,9 @@ grpc::Status StabilityAssembler::add(v1::StabilityEvent event) {
     case Event::kImageEnd:
       return end(event.image_end());
     case Event::kOutcome: {
-      if (event.outcome().method() >= methods_.size()) return lost("a result that wasn't asked for");
-      v1::StabilityResult& result = methods_[event.outcome().method()].result;
+      if (event.outcome().method() >= stability_.methods.size())
+        return lost("a result that wasn't asked for");
+      v1::StabilityResult& result = stability_.methods[event.outcome().method()].result;
       if (!result.method().empty()) return lost("a result comes twice");
       result = std::move(*event.mutable_outcome()->mutable_result());
       return grpc::Status::OK;
@@ -62,11 +64,11 @@ grpc::Status StabilityAssembler::add(v1::StabilityEvent event) {
 }
 
 grpc::Status StabilityAssembler::begin(v1::PictureBegin about) {
-  if (about.method() >= methods_.size()) return lost("a picture that wasn't asked for");
+  if (about.method() >= stability_.methods.size()) return lost("a picture that wasn't asked for");
   if (about.width() != width_ || about.height() != height_ ||
       about.bytes() != std::uint64_t{width_} * height_ * 4)
     return lost(fmt::format("a picture is {}x{} in {} bytes", about.width(), about.height(), about.bytes()));
-  auto& pictures = methods_[about.method()].pictures;
+  auto& pictures = stability_.methods[about.method()].pictures;
   open_ = &pictures.emplace_back(StabilityPicture{std::move(about), {}});
   open_->rgba.reserve(open_->about.bytes());
   return grpc::Status::OK;
@@ -81,11 +83,11 @@ grpc::Status StabilityAssembler::end(const v1::ImageEnd& end) {
   return grpc::Status::OK;
 }
 
-Expected<std::vector<MethodStability>> StabilityAssembler::finish() {
+Expected<Stability> StabilityAssembler::finish() {
   if (!done_) return fail(lost("it stops before its end"));
-  for (const MethodStability& method : methods_)
+  for (const MethodStability& method : stability_.methods)
     if (method.result.method().empty()) return fail(lost("a method's result is missing"));
-  return std::move(methods_);
+  return std::move(stability_);
 }
 
 }  // namespace sundial::client

@@ -19,6 +19,11 @@ struct MethodStability {
   std::vector<StabilityPicture> pictures;  // by frame
 };
 
+struct Stability {
+  v1::Accepted accepted;                 // view and light are those of the first frame
+  std::vector<MethodStability> methods;  // as in StabilityRequest.methods
+};
+
 // Takes a stream's events in order and refuses, with DATA_LOSS, whatever the contract doesn't promise.
 class StabilityAssembler {
  public:
@@ -27,7 +32,7 @@ class StabilityAssembler {
   grpc::Status add(v1::StabilityEvent);
 
   // Call after the stream ended well. The assembler is spent.
-  Expected<std::vector<MethodStability>> finish();
+  Expected<Stability> finish();
 
   // Frames of all methods that are done, and how many there are; 0 of 0 before the first.
   double framesDone() const { return framesDone_; }
@@ -37,7 +42,7 @@ class StabilityAssembler {
   grpc::Status begin(v1::PictureBegin);
   grpc::Status end(const v1::ImageEnd&);
 
-  std::vector<MethodStability> methods_;
+  Stability stability_;
   const std::uint32_t width_, height_;
   StabilityPicture* open_ = nullptr;  // that is being received
   double framesDone_ = 0, frames_ = 0;

@@ -46,27 +46,40 @@ CaseRunner::CaseRunner(std::shared_ptr<grpc::Channel> all, SceneSupply& supply, 
       client_(channel_, once(options_)) {}
 
 client::Expected<client::Rendering> CaseRunner::render(const v1::RenderRequest& request) {
+  return untilAnswered<client::Rendering>(request.scene(), [&](const auto& onAccepted) {
+    return client_.render(request, [&](const client::Progress&) { onAccepted(); });
+  });
+}
+
+client::Expected<client::Stability> CaseRunner::stability(const v1::StabilityRequest& request) {
+  return untilAnswered<client::Stability>(request.scene(), [&](const auto& onAccepted) {
+    return client_.stability(request, [&](double, double) { onAccepted(); });
+  });
+}
+
+template <class Answer>
+client::Expected<Answer> CaseRunner::untilAnswered(const std::string& scene, const Try<Answer>& attempt) {
   const auto stopped = [] { return client::fail(grpc::CANCELLED, "interrupted"); };
   for (int losses = 0, doublings = 0, uploads = 0;;) {
     awaitServer();
     if (options_.stop.stop_requested()) return stopped();
     const unsigned generation = supply_.generation();
     bool accepted = false;
-    auto rendering = client_.render(request, [&](const client::Progress&) {
+    auto answer = attempt([&] {
       if (!accepted) answered();
       accepted = true;
     });
     if (options_.stop.stop_requested()) return stopped();
-    if (rendering) {
+    if (answer) {
       answered();
-      return rendering;
+      return answer;
     }
-    const client::Error& error = rendering.error();
+    const client::Error& error = answer.error();
     if (error.retryAfter) {
       answered();
       client::pause(*error.retryAfter, options_.stop);
     } else if (isLoss(error.code, accepted)) {
-      // A rendering that was begun, or ended strangely, counts against the case: it may be what kills
+      // What was begun, or ended strangely, counts against the case: it may be what kills
       // servers.
       if ((accepted || error.code != grpc::UNAVAILABLE) && ++losses == kMostLosses) {
         answered();
@@ -78,10 +91,10 @@ client::Expected<client::Rendering> CaseRunner::render(const v1::RenderRequest& 
       client::pause(kGlance * (1 << std::min(accepted ? 0 : doublings++, kMostDoublings)), options_.stop);
     } else {
       answered();
-      if (error.code != grpc::NOT_FOUND || uploads++ == kMostUploads) return rendering;
-      const auto sent = supply_.provide(request.scene(), generation);
+      if (error.code != grpc::NOT_FOUND || uploads++ == kMostUploads) return answer;
+      const auto sent = supply_.provide(scene, generation);
       if (!sent) return std::unexpected(sent.error());
-      if (!*sent) return rendering;
+      if (!*sent) return answer;
     }
   }
 }

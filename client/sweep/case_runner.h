@@ -1,9 +1,10 @@
-// A case's rendering, whatever becomes of the server that begins it.
+// A case's rendering and its run along a path, whatever becomes of the server that begins them.
 #pragma once
 
 #include <grpcpp/channel.h>
 
 #include <chrono>
+#include <functional>
 #include <memory>
 #include <mutex>
 #include <optional>
@@ -25,14 +26,21 @@ class CaseRunner {
   CaseRunner(std::shared_ptr<grpc::Channel> all, SceneSupply&, client::CallOptions,
              std::chrono::milliseconds patience);
 
-  // Waits while the queues are full, and for a server to come back; renders again what a lost server began.
-  // Errors: the case's own (INVALID_ARGUMENT ...), which would come again; what a case ends in that loses its
-  // server kMostLosses times; CANCELLED after a stop. Throws ServersGone. Any thread.
+  // Each waits while the queues are full, and for a server to come back; asks again for what a lost server
+  // began. Errors: the case's own (INVALID_ARGUMENT ...), which would come again; what a case ends in that
+  // loses its server kMostLosses times; CANCELLED after a stop. Throws ServersGone. Any thread.
   client::Expected<client::Rendering> render(const v1::RenderRequest&);
+  client::Expected<client::Stability> stability(const v1::StabilityRequest&);
 
   static constexpr int kMostLosses = 10;
 
  private:
+  // One try; calls `onAccepted` once the server has begun.
+  template <class Answer>
+  using Try = std::function<client::Expected<Answer>(const std::function<void()>& onAccepted)>;
+
+  template <class Answer>
+  client::Expected<Answer> untilAnswered(const std::string& scene, const Try<Answer>&);
   void awaitServer();
   void answered();
   void unanswered(const std::string& why);

@@ -5,8 +5,9 @@
 #include <charconv>
 #include <set>
 
-#include "sundial/content_digest.h"
 #include "sundial/method_choice.h"
+#include "sweep/case_id.h"
+#include "sweep/group.h"
 
 namespace sundial::sweep {
 namespace {
@@ -15,7 +16,6 @@ using client::Expected;
 namespace fs = std::filesystem;
 
 constexpr std::size_t kMostCases = 1'000'000;  // a slip of the pen, not a sweep
-constexpr std::size_t kIdDigits = 16;
 constexpr unsigned kRepetitions = 5, kMaxRepetitions = 25;
 constexpr double kQuartileTarget = 0.1;
 
@@ -23,53 +23,51 @@ std::unexpected<client::Error> refuse(std::string why) {
   return client::fail(grpc::INVALID_ARGUMENT, std::move(why));
 }
 
-std::string text(const v1::Vec3& v) { return fmt::format("{},{},{}", v.x(), v.y(), v.z()); }
-
-std::string canonicalView(const Case& one) {
-  const v1::RenderRequest& request = one.request;
-  if (request.has_view_name()) return "name " + request.view_name();
-  if (!request.has_view()) return "default";
-  const v1::View& view = request.view();
-  return fmt::format("eye {} target {} up {} fov {}", text(view.eye()), text(view.target()), text(view.up()),
-                     view.vertical_fov_degrees());
-}
-
-std::string canonicalLight(const Case& one) {
-  const v1::RenderRequest& request = one.request;
-  if (request.has_light_name()) return "name " + request.light_name();
-  if (!request.has_light()) return "default";
-  const v1::Light& light = request.light();
-  if (light.has_sun()) return "sun " + text(light.sun().direction());
-  if (light.has_point()) return "point " + text(light.point().position());
-  return fmt::format("spot {} to {} cone {}", text(light.spot().eye()), text(light.spot().target()),
-                     light.spot().cone_degrees());
-}
-
-// What a case is, and nothing of how it is written.
-std::string idOf(const Case& one) {
-  ContentDigest digest;
-  digest.add("case");
-  digest.add(one.request.scene());
-  digest.add(canonicalView(one));
-  digest.add(canonicalLight(one));
-  digest.add(fmt::format("{}x{}", one.request.width(), one.request.height()));
-  digest.add(client::methodLabel(one.request.methods(0)));
-  return digest.hexadecimal().substr(0, kIdDigits);
-}
-
 void setView(const v1::SweepView& from, Case& to) {
   to.viewName = from.name();
   if (!from.has_view()) return to.request.set_view_name(from.name());
-  v1::View& view = *to.request.mutable_view();
-  view = from.view();
-  if (!view.has_up()) view.mutable_up()->set_y(1);
-  if (view.vertical_fov_degrees() == 0) view.set_vertical_fov_degrees(60);
+  *to.request.mutable_view() = from.view();
 }
 
 void setLight(const v1::SweepLight& from, Case& to) {
   to.lightName = from.name();
   if (!from.has_light()) return to.request.set_light_name(from.name());
   *to.request.mutable_light() = from.light();
+}
+
+v1::StabilityRequest& alongOf(Case& one) { return one.along ? *one.along : one.along.emplace(); }
+
+void setPath(const v1::SweepPath& from, Case& to) {
+  to.pathName = from.name();
+  if (!from.has_keys()) return alongOf(to).set_path_name(from.name());
+  *alongOf(to).mutable_path() = from.keys();
+}
+
+void setLightPath(const v1::SweepLightPath& from, Case& to) {
+  to.lightPathName = from.name();
+  if (!from.has_keys()) return alongOf(to).set_light_path_name(from.name());
+  *alongOf(to).mutable_light_path() = from.keys();
+}
+
+// Those that a run along the path has, as far as that is known here: the camera's go before the light's.
+unsigned framesOf(const v1::SweepGroup& group, const v1::StabilityRequest& along) {
+  if (group.frames() != 0) return group.frames();
+  if (along.has_path()) return along.path().frames();
+  return along.has_path_name() ? 0 : along.light_path().frames();
+}
+
+// The rest of a run along a path: numbers, and what stands still.
+void completeAlong(const v1::SweepGroup& group, const v1::RenderRequest& still, v1::StabilityRequest& along) {
+  along.set_scene(still.scene());
+  along.set_width(still.width());
+  along.set_height(still.height());
+  if (still.has_view()) *along.mutable_view() = still.view();
+  if (still.has_view_name()) along.set_view_name(still.view_name());
+  if (still.has_light()) *along.mutable_light() = still.light();
+  if (still.has_light_name()) along.set_light_name(still.light_name());
+  along.set_frames(framesOf(group, along));
+  along.set_points(group.points());
+  along.set_seed(group.seed());
 }
 
 // Every combination of the parameters' values, the last one's changing fastest.
@@ -97,21 +95,6 @@ Expected<std::vector<v1::MethodChoice>> combinations(const v1::SweepMethod& meth
   return all;
 }
 
-// Nothing that can be seen without a server is left to fail on the way.
-Expected<void> check(const v1::SweepGroup& group) {
-  if (group.scene().empty()) return refuse("it names no scene");
-  if (group.method().empty()) return refuse("it names no method");
-  for (const v1::SweepSize& size : group.size())
-    if (size.width() == 0 || size.height() == 0)
-      return refuse(fmt::format("size is {}x{}; both must be at least 1", size.width(), size.height()));
-  for (const v1::SweepView& view : group.view())
-    if (view.name().empty() && !view.has_view()) return refuse("a view has neither a name nor a view");
-  for (const v1::SweepLight& light : group.light())
-    if (light.name().empty() && light.light().kind_case() == v1::Light::KIND_NOT_SET)
-      return refuse("a light has neither a name nor a sun, spot or point");
-  return {};
-}
-
 class Expansion {
  public:
   explicit Expansion(const fs::path& folder) : folder_(folder) {}
@@ -132,32 +115,25 @@ class Expansion {
     return {};
   }
 
-  Expected<void> add(const v1::SweepGroup& group) {
-    if (auto checked = check(group); !checked) return checked;
+  Expected<void> add(const v1::SweepGroup& asWritten) {
+    const auto group = complete(asWritten, folder_);
+    if (!group) return std::unexpected(group.error());
     std::vector<v1::MethodChoice> methods;
-    for (const v1::SweepMethod& method : group.method()) {
+    for (const v1::SweepMethod& method : group->method()) {
       auto choices = combinations(method);
       if (!choices) return std::unexpected(choices.error());
       methods.insert(methods.end(), choices->begin(), choices->end());
     }
-    v1::SweepSize usual;
-    usual.set_width(1024);
-    usual.set_height(1024);
-    for (const std::string& scene : group.scene()) {
+    for (const std::string& scene : group->scene()) {
       auto reference = referenceOf(scene);
       if (!reference) return std::unexpected(reference.error());
-      for (int s = 0; s < std::max(group.size_size(), 1); ++s)
-        for (int v = 0; v < std::max(group.view_size(), 1); ++v)
-          for (int l = 0; l < std::max(group.light_size(), 1); ++l) {
-            Case one{.id = {}, .scene = scene, .viewName = {}, .lightName = {}, .request = common_};
-            one.request.set_scene(*reference);
-            const v1::SweepSize& size = group.size().empty() ? usual : group.size(s);
-            one.request.set_width(size.width());
-            one.request.set_height(size.height());
-            if (!group.view().empty()) setView(group.view(v), one);
-            if (!group.light().empty()) setLight(group.light(l), one);
-            if (auto added = add(one, methods); !added) return added;
-          }
+      for (const v1::SweepSize& size : group->size()) {
+        Case one{.id = {}, .scene = scene, .request = common_};
+        one.request.set_scene(*reference);
+        one.request.set_width(size.width());
+        one.request.set_height(size.height());
+        if (auto added = addCameras(*group, one, methods); !added) return added;
+      }
     }
     return {};
   }
@@ -165,10 +141,40 @@ class Expansion {
   Cases take() { return std::move(cases_); }
 
  private:
-  Expected<void> add(const Case& one, const std::vector<v1::MethodChoice>& methods) {
+  using Methods = std::vector<v1::MethodChoice>;
+
+  Expected<void> addCameras(const v1::SweepGroup& group, const Case& one, const Methods& methods) {
+    const int views = group.view_size(), paths = group.path_size();
+    for (int i = 0; i < std::max(views + paths, 1); ++i) {
+      Case with = one;
+      if (i < views)
+        setView(group.view(i), with);
+      else if (i < views + paths)
+        setPath(group.path(i - views), with);
+      if (auto added = addLights(group, with, methods); !added) return added;
+    }
+    return {};
+  }
+
+  Expected<void> addLights(const v1::SweepGroup& group, const Case& one, const Methods& methods) {
+    const int lights = group.light_size(), paths = group.light_path_size();
+    for (int i = 0; i < std::max(lights + paths, 1); ++i) {
+      Case with = one;
+      if (i < lights)
+        setLight(group.light(i), with);
+      else if (i < lights + paths)
+        setLightPath(group.light_path(i - lights), with);
+      if (with.along) completeAlong(group, with.request, *with.along);
+      if (auto added = addMethods(with, methods); !added) return added;
+    }
+    return {};
+  }
+
+  Expected<void> addMethods(const Case& one, const Methods& methods) {
     for (const v1::MethodChoice& method : methods) {
       Case with = one;
       *with.request.add_methods() = method;
+      if (with.along) *with.along->add_methods() = method;
       with.id = idOf(with);
       if (!ids_.insert(with.id).second) continue;
       cases_.list.push_back(std::move(with));

@@ -16,12 +16,32 @@ v1::SweepLine begun(const Case& one) {
   line.add_size(one.request.height());
   line.set_baseline(client::methodLabel(one.request.baseline()));
   line.set_method(one.request.methods(0).name());
+  if (!one.along) return line;
+  v1::SweepMotion& motion = *line.mutable_motion();
+  motion.set_path_name(one.pathName);
+  motion.set_light_path_name(one.lightPathName);
+  motion.set_frames(one.along->frames());
+  motion.set_points(one.along->points());
+  motion.set_seed(static_cast<std::uint32_t>(one.along->seed()));
   return line;
+}
+
+v1::SweepStability steadiness(const v1::StabilityResult& result) {
+  v1::SweepStability stability;
+  stability.set_flip_rate(result.flip_rate());
+  stability.set_pop(result.pop());
+  stability.set_texel_jump(result.texel_jump());
+  stability.set_wrong_rate(result.wrong_rate());
+  stability.set_points(result.points());
+  stability.set_pairs(result.pairs());
+  stability.set_frames(static_cast<std::uint32_t>(result.flips_per_frame_size()));
+  return stability;
 }
 
 }  // namespace
 
-v1::SweepLine makeLine(const Case& one, const client::Rendering& rendering) {
+v1::SweepLine makeLine(const Case& one, const client::Rendering& rendering,
+                       const std::optional<client::Stability>& along) {
   const v1::Result& result = rendering.methods.front().result;
   v1::SweepLine line = begun(one);
   *line.mutable_view() = rendering.accepted.view();
@@ -39,6 +59,7 @@ v1::SweepLine makeLine(const Case& one, const client::Rendering& rendering) {
   line.mutable_measures()->mutable_texel_px();
   *line.mutable_passes() = result.passes();
   *line.mutable_plan() = rendering.methods.front().plan;
+  if (along) *line.mutable_stability() = steadiness(along->methods.front().result);
   return line;
 }
 

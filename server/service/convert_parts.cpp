@@ -11,6 +11,11 @@ Result<std::string> checkedName(const std::string& value, const std::string& fie
   return value;
 }
 
+Result<void> checkCount(std::string_view field, std::uint64_t value, std::uint64_t low, std::uint64_t high) {
+  if (value >= low && value <= high) return {};
+  return invalid(fmt::format("{} is {}: must lie in [{}, {}]", field, value, low, high));
+}
+
 Result<glm::uvec2> checkedSize(std::uint32_t width, std::uint32_t height, const RequestLimits& limits) {
   for (const auto& [field, side] : {std::pair{"width", width}, std::pair{"height", height}}) {
     if (side < 1 || side > limits.imageSide) {

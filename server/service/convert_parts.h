@@ -2,6 +2,7 @@
 #pragma once
 
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "service/convert.h"
@@ -10,6 +11,9 @@ namespace sundial {
 
 // 1 to kMaxNameLength bytes. Errors: invalidArgument.
 Result<std::string> checkedName(const std::string& value, const std::string& field);
+
+// Errors: invalidArgument outside of [low, high].
+Result<void> checkCount(std::string_view field, std::uint64_t value, std::uint64_t low, std::uint64_t high);
 
 // Errors: invalidArgument.
 Result<glm::uvec2> checkedSize(std::uint32_t width, std::uint32_t height, const RequestLimits&);

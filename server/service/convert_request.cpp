@@ -183,14 +183,10 @@ Result<RenderSpec> fromProto(const v1::RenderRequest& in, const RequestLimits& l
     if (!method) return std::unexpected(std::move(method.error()));
     spec.job.baseline = std::move(*method);
   }
-  if (in.repetitions() > kMaxRepetitions) {
-    return invalid(fmt::format("repetitions is {}: must lie in [0, {}]", in.repetitions(), kMaxRepetitions));
-  }
+  for (const auto& checked : {checkCount("repetitions", in.repetitions(), 0, kMaxRepetitions),
+                              checkCount("max_repetitions", in.max_repetitions(), 0, kMaxRepetitions)})
+    if (!checked) return std::unexpected(checked.error());
   spec.job.repetitions = in.repetitions();
-  if (in.max_repetitions() > kMaxRepetitions) {
-    return invalid(
-        fmt::format("max_repetitions is {}: must lie in [0, {}]", in.max_repetitions(), kMaxRepetitions));
-  }
   spec.job.maxRepetitions = in.max_repetitions();
   if (!(in.quartile_target() >= 0 && std::isfinite(in.quartile_target()))) {
     return invalid(

@@ -15,11 +15,6 @@ namespace {
 
 constexpr std::uint32_t kCaseSide = 512;  // pixels of a named case's frames
 
-Result<void> checkCount(std::string_view field, std::uint64_t value, std::uint64_t low, std::uint64_t high) {
-  if (value >= low && value <= high) return {};
-  return invalid(fmt::format("{} is {}: must lie in [{}, {}]", field, value, low, high));
-}
-
 // The keys of a path given in the request, and its frames.
 template <class Key, class Path>
 Result<std::vector<Key>> keysOf(const Path& in, const std::string& field) {

@@ -4,21 +4,7 @@ namespace sundial {
 
 RenderCall* RenderCall::start(CallContext& context, grpc::CallbackServerContext* call,
                               const v1::RenderRequest& request) {
-  const auto started = std::make_shared<RenderCall>(context, call);
-  started->own(started);
-  // Refuse what can never work before what can't work now.
-  auto spec = fromProto(request, started->limits());
-  if (!spec) {
-    started->refuse(std::move(spec.error()));
-    return started.get();
-  }
-  std::string subject = spec->scene, scene = spec->scene;
-  for (const Method& method : spec->job.methods) subject.append(" ").append(method.label());
-  started->begin(std::move(subject), std::move(scene),
-                 [self = started.get(), spec = std::move(*spec)](const LoadedScene& loaded) mutable {
-                   return self->prepared(std::move(spec), loaded);
-                 });
-  return started.get();
+  return open<RenderCall>(context, call, request);
 }
 
 RenderCall::RenderCall(CallContext& context, grpc::CallbackServerContext* call)

@@ -16,6 +16,7 @@ class RenderCall final : public RenderReactor<v1::RenderEvent>, public JobSink {
   void onResult(std::size_t method, MethodResult) override;
 
  private:
+  friend RenderReactor;  // calls this
   Result<Work> prepared(RenderSpec, const LoadedScene&);
 };
 

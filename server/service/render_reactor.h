@@ -40,11 +40,18 @@ class RenderReactor : public grpc::ServerWriteReactor<Event>,
   };
   using Prepare = std::move_only_function<Result<Work>(const LoadedScene&)>;
 
+  // A call, begun or refused: its request becomes a spec, and with its scene the spec becomes work by the
+  // call's prepared(spec, scene).
+  template <class Call, class Request>
+  static Call* open(CallContext&, grpc::CallbackServerContext*, const Request&);
+
+ private:
   // Owned by the call until gRPC is done with it, and by the work while it runs. One of these follows, once.
   void own(std::shared_ptr<RenderReactor> self) { self_ = std::move(self); }
   void begin(std::string subject, std::string scene, Prepare);
   void refuse(Error why) { end(std::unexpected(std::move(why))); }
 
+ protected:
   // Of the rendering thread.
   void push(Event event) { pushItem(std::move(event)); }
   void push(Event begin, std::vector<std::byte> image) {
@@ -91,6 +98,28 @@ class RenderReactor : public grpc::ServerWriteReactor<Event>,
   std::chrono::steady_clock::time_point writeBegan_;
   std::optional<Timer::Id> alarm_;
 };
+
+template <class Event>
+template <class Call, class Request>
+Call* RenderReactor<Event>::open(CallContext& context, grpc::CallbackServerContext* call,
+                                 const Request& request) {
+  const auto opened = std::make_shared<Call>(context, call);
+  RenderReactor& reactor = *opened;
+  reactor.own(opened);
+  // Refuse what can never work before what can't work now.
+  auto spec = fromProto(request, reactor.limits());
+  if (!spec) {
+    reactor.refuse(std::move(spec.error()));
+    return opened.get();
+  }
+  std::string subject = spec->scene, scene = spec->scene;
+  for (const Method& method : spec->job.methods) subject.append(" ").append(method.label());
+  reactor.begin(std::move(subject), std::move(scene),
+                [self = opened.get(), spec = std::move(*spec)](const LoadedScene& loaded) mutable {
+                  return self->prepared(std::move(spec), loaded);
+                });
+  return opened.get();
+}
 
 extern template class RenderReactor<v1::RenderEvent>;
 extern template class RenderReactor<v1::StabilityEvent>;

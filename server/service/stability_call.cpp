@@ -4,21 +4,7 @@ namespace sundial {
 
 StabilityCall* StabilityCall::start(CallContext& context, grpc::CallbackServerContext* call,
                                     const v1::StabilityRequest& request) {
-  const auto started = std::make_shared<StabilityCall>(context, call);
-  started->own(started);
-  // Refuse what can never work before what can't work now.
-  auto spec = fromProto(request, started->limits());
-  if (!spec) {
-    started->refuse(std::move(spec.error()));
-    return started.get();
-  }
-  std::string subject = spec->scene, scene = spec->scene;
-  for (const Method& method : spec->job.methods) subject.append(" ").append(method.label());
-  started->begin(std::move(subject), std::move(scene),
-                 [self = started.get(), spec = std::move(*spec)](const LoadedScene& loaded) mutable {
-                   return self->prepared(std::move(spec), loaded);
-                 });
-  return started.get();
+  return open<StabilityCall>(context, call, request);
 }
 
 StabilityCall::StabilityCall(CallContext& context, grpc::CallbackServerContext* call)
@@ -29,6 +15,8 @@ Result<StabilityCall::Work> StabilityCall::prepared(StabilitySpec spec, const Lo
   if (!job) return std::unexpected(std::move(job.error()));
   frames_ = static_cast<std::uint32_t>(job->views.size());
   Work work{.accepted = {}, .outputBytes = outputBytes(*job), .run = nullptr};
+  toProto(job->views.front(), work.accepted.mutable_accepted()->mutable_view());
+  toProto(job->lights.front(), work.accepted.mutable_accepted()->mutable_light());
   work.run = [this, job = std::move(*job)](Renderer& renderer, const Interrupt& interrupt) {
     return renderer.runStability(job, interrupt, *this);
   };

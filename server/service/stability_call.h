@@ -17,6 +17,7 @@ class StabilityCall final : public RenderReactor<v1::StabilityEvent>, public Sta
   void onStability(std::size_t method, StabilityResult) override;
 
  private:
+  friend RenderReactor;  // calls this
   Result<Work> prepared(StabilitySpec, const LoadedScene&);
 
   std::uint32_t frames_ = 0;  // of the job; set before it is queued

@@ -2,7 +2,7 @@
 import assert from 'node:assert/strict';
 import {test} from 'node:test';
 
-import {cheapest, matching, paretoFront, summarise} from '../../client/chart/analysis.js';
+import {cheapest, matching, moving, paretoFront, pictured, summarise} from '../../client/chart/analysis.js';
 import {significant} from '../../client/chart/format.js';
 import {logScale} from '../../client/chart/scale.js';
 
@@ -47,6 +47,14 @@ test('the cheapest method stays within the level in its worst case', () => {
   assert.equal(cheapest(list, 'wrong', 0.01, 'ratio').label, 'slow');
   assert.equal(cheapest(list, 'wrong', 0, 'ms').label, 'slow');
   assert.equal(cheapest(list.filter(s => s.label === 'fast'), 'wrong', 0, 'ratio'), null);
+});
+
+test('time is drawn of still cases, and of a path only where nothing else is left', () => {
+  const still = one(1, 'a', 'v', 1, 0), along = one(2, 'a', 'along w', 1, 0, {stability: {flip_rate: 0, pop: 0}});
+  assert.deepEqual(pictured([still, along]), [still]);
+  assert.equal(pictured([along, failed(3, 'b', 'along w')]).length, 2);
+  assert.deepEqual(moving([still, along]), [along]);
+  assert.deepEqual(summarise([along])[0].flip, [0, 0, 0]);
 });
 
 test('filters leave what was chosen', () => {

@@ -1,4 +1,5 @@
-// Writes results as a sweep would: plausible numbers of several methods over three scenes, with small pictures.
+// Writes results as a sweep would: plausible numbers of several methods over three scenes, still and along a path, with
+// small pictures.
 // Usage: node canned_results.mjs FOLDER [CASES_AT_LEAST]. The same numbers every time.
 import {mkdirSync, writeFileSync} from 'node:fs';
 import {join} from 'node:path';
@@ -38,8 +39,8 @@ const METHODS = [
   {name: 'ray-traced', texels: [0], error: 0, fixed: 14, views: 0, flip: 0},
 ];
 const SCENES = [
-  {name: 'builtin:atrium', views: ['nave', 'gallery'], lights: ['noon', 'evening'], hard: 1, ms: 21},
-  {name: 'builtin:city', views: ['street', 'roofs'], lights: ['noon', 'evening'], hard: 2.4, ms: 48},
+  {name: 'builtin:atrium', views: ['nave', 'gallery'], path: 'walk', lights: ['noon', 'evening'], hard: 1, ms: 21},
+  {name: 'builtin:city', views: ['street', 'roofs'], path: 'flight', lights: ['noon', 'evening'], hard: 2.4, ms: 48},
   {name: 'builtin:knot', views: ['front', 'close'], lights: ['side', 'low'], hard: 0.6, ms: 9},
 ];
 const PASSES = {gbuffer: 0.25, analyze: 0.05, plan: 0.02, cull: 0.06, store: 0.4, resolve: 0.04, shade: 0.18};
@@ -56,8 +57,9 @@ const imagesOf = (id, error) => ({
 });
 
 for (let round = 0; lines.length < Number(least); ++round)
-  for (const scene of SCENES) for (const view of scene.views) for (const light of scene.lights)
-    for (const method of METHODS) for (const texels of method.texels) {
+  for (const scene of SCENES) for (const view of [...scene.views, ...round === 0 && scene.path ? [''] : []])
+    for (const light of scene.lights) for (const method of METHODS) for (const texels of method.texels) {
+      if (!view && method.name === 'rtw') continue;  // not every method is sent along a path
       const size = [[640, 360], [1280, 720], [320, 180]][round % 3], id = `case-${String(lines.length).padStart(4, '0')}`;
       const line = {case: id, scene: scene.name, view_name: view, view: {vertical_fov_degrees: 60}, light_name: light,
         light: {sun: {direction: {x: 0.3, y: -1, z: 0.2}}}, size, device: 'canned device', driver: 'canned driver 1.0',
@@ -79,7 +81,9 @@ for (let round = 0; lines.length < Number(least); ++round)
           edge_error_px: {p50: wrong * 60, p95: wrong * 300, max: wrong * 900}, interior_error: wrong * 0.08, texel_px: {p50: wrong * 90, p95: wrong * 210},
           utilisation: texels ? 0.2 + 0.4 * random() : 0, store_bytes: bytes, total_bytes: bytes * 1.1 + (texels ? 65536 : 0), allocated_bytes: bytes * 1.4},
         passes, plan: {views: Array.from({length: method.views}, () => ({width: texels, height: texels}))},
-        ...(round === 0 ? {stability: {flip_rate: method.flip * scene.hard * jitter(0.3), pop: method.flip * 4}} : {}),
+        ...(view ? {} : {motion: {path_name: scene.path, light_path_name: '', frames: 24, points: 2000, seed: 1},
+          stability: {flip_rate: method.flip * scene.hard * jitter(0.3), pop: method.flip * 4, texel_jump: method.flip * 50,
+            wrong_rate: wrong, points: 2000, pairs: 40000, frames: 24}}),
         images: imagesOf(id, wrong)});
     }
 writeFileSync(join(folder, 'results.jsonl'), lines.map(line => JSON.stringify(line) + '\n').join(''));

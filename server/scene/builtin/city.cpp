@@ -1,8 +1,8 @@
 // A city of perimeter blocks along an avenue of one kilometre: tenements wall to wall around courtyards, a
 // few towers, parks and market halls, what stands on roofs and in streets. Instanced as a real one would be.
-#include <algorithm>
 #include <array>
 
+#include "scene/builtin/city_ground.h"
 #include "scene/builtin/city_kit.h"
 
 namespace sundial::builtin {
@@ -11,20 +11,12 @@ namespace {
 
 constexpr std::array<Parameter, 1> kParameters{{{"seed", 0, 4294967295, 1, "which city"}}};
 
-constexpr int kColumns = 3, kRows = 13;                  // blocks: columns on each side of the avenue
-constexpr double kPitchX = 86, kPitchZ = 70;             // from block to block
-constexpr glm::dvec2 kBlock{33, 25};                     // half a block, between its outer walls
-constexpr double kPavement = 4, kKerb = 0.14;            // width, height
-constexpr double kFirst = 53;                            // x of the first column's middle
-constexpr double kRoad = kFirst - kBlock.x - kPavement;  // half the avenue's carriageway
-constexpr double kHalfX = 300, kHalfZ = 510;
-
 enum class Use { houses, tower, park, market };
 
 // From a flat roof of this block's house at the avenue one looks along it; a sapling stands before the house.
 constexpr int kViewRow = 6;
 constexpr std::size_t kViewTenement = 9;
-const glm::dvec3 kSapling{kRoad + 1.1, kKerb, 12};
+constexpr glm::dvec3 kSapling{-kRoad - 1.1, kKerb, 9};
 
 class City {
  public:
@@ -51,49 +43,9 @@ class City {
   }
 
   void addGround() {
-    constexpr glm::vec3 kAsphalt{0.085f, 0.085f, 0.09f}, kLine{0.5f, 0.5f, 0.48f}, kSlabs{0.3f, 0.29f, 0.27f};
-    Shape road;
-    const auto strip = [&](double x0, double x1, double z0, double z1, const glm::vec3& colour) {
-      road.paint(colour);
-      road.quad({x0, 0, z1}, {x1, 0, z1}, {x1, 0, z0}, {x0, 0, z0});
-    };
-    // Beside the avenue in pieces of about 40 m, for clusters of that size.
-    constexpr int kAcross = 7, kAlong = 24;
-    for (const double side : {-1.0, 1.0})
-      for (int i = 0; i < kAcross; ++i)
-        for (int j = 0; j < kAlong; ++j) {
-          const double a = side * glm::mix(kRoad, kHalfX, static_cast<double>(i) / kAcross);
-          const double b = side * glm::mix(kRoad, kHalfX, (i + 1.0) / kAcross);
-          const double z = kHalfZ * (2.0 * j / kAlong - 1);
-          strip(std::min(a, b), std::max(a, b), z, z + 2 * kHalfZ / kAlong, kAsphalt);
-        }
-    // The avenue: a line between the lanes, dashed.
-    constexpr double kDash = 4, kLane = 9, kWidth = 0.09;
-    for (double z = -kHalfZ; z < kHalfZ; z += 2 * kDash)
-      for (const bool isDash : {true, false}) {
-        const double z0 = isDash ? z : z + kDash;
-        const double z1 = std::min(z0 + kDash, kHalfZ);
-        strip(-kRoad, -kLane - kWidth, z0, z1, kAsphalt);
-        strip(-kLane - kWidth, -kLane + kWidth, z0, z1, isDash ? kLine : kAsphalt);
-        strip(-kLane + kWidth, kLane - kWidth, z0, z1, kAsphalt);
-        strip(kLane - kWidth, kLane + kWidth, z0, z1, isDash ? kLine : kAsphalt);
-        strip(kLane + kWidth, kRoad, z0, z1, kAsphalt);
-      }
-    place("road", addPainted(builder_, "road", std::move(road), kit_.paint), glm::dmat4(1));
-
-    Shape slab;
-    slab.paint(kSlabs);
-    slab.box({-kBlock.x - kPavement, -0.2, -kBlock.y - kPavement},
-             {kBlock.x + kPavement, 0, kBlock.y + kPavement});
-    pavement_ = addPainted(builder_, "pavement", std::move(slab), kit_.paint);
-    Shape lawn;
-    lawn.paint({0.13f, 0.2f, 0.06f});
-    for (const double x : {-1.0, 1.0})
-      for (const double z : {-1.0, 1.0}) {
-        const glm::dvec2 a(x * 2, z * 2), b(x * kBlock.x, z * kBlock.y);
-        lawn.box({std::min(a.x, b.x), 0, std::min(a.y, b.y)}, {std::max(a.x, b.x), 0.12, std::max(a.y, b.y)});
-      }
-    lawn_ = addPainted(builder_, "lawn", std::move(lawn), kit_.paint);
+    place("road", addPainted(builder_, "road", cityRoad(), kit_.paint), glm::dmat4(1));
+    pavement_ = addPainted(builder_, "pavement", cityPavement(), kit_.paint);
+    lawn_ = addPainted(builder_, "lawn", cityLawn(), kit_.paint);
   }
 
   Use useOf(int column, bool isView) {
@@ -205,7 +157,7 @@ class City {
     place("water tank", kit_.roofs[0], roof * translation({-5, 0, -1}));
     place("vents", kit_.roofs[1], roof * translation({1, 0, 2.5}));
     place("lift house", kit_.roofs[2], roof * translation({-8.4, 0, -4.5}));
-    place("antennas", kit_.antennas, roof * translation({7.6, 0, 5.2}) * turnedY(0.1));
+    place("antennas", kit_.antennas, roof * translation({-8.5, 0, 5.4}) * turnedY(0.1));
   }
 
   // Lamps, trees, benches and parked cars along the block's two long sides.
@@ -278,12 +230,12 @@ void makeCity(SceneBuilder& builder, const Values& values) {
 
   const double roof = city.viewRoof(), wall = kRoad + kPavement;
   builder.addView(view("main", {7, 64, 400}, {-9, 2, 150}, 55));
-  builder.addView(view("avenue", {-5, 1.7, 490}, {3, 12, -300}, 50));
+  builder.addView(view("avenue", {6, 1.7, 455}, {-4, 12, -300}, 55));
   builder.addView(view("corner", {kRoad + 1, 1.8, 47}, {-9, 7, 12}, 65));
   builder.addView(view("roof", {wall + 10, roof + 1.7, 9.5}, {wall + 2.5, roof + 0.4, -20}, 60));
-  builder.addView(view("gap", {wall + 1.2, roof + 2.4, 10}, {-4, 6, -160}, 50));
+  builder.addView(view("gap", {wall + 0.9, roof + 1.7, -6.2}, {-12, 4, -75}, 55));
   builder.addLight(sun("sun", 50, 0.08));
-  builder.addLight(sun("low", 5, 0.2));
+  builder.addLight(sun("low", 5, 0.257));
   builder.addLight(sun("noon", 80, 0.15));
   builder.addLight(spot("spot", {-12, 40, 70}, {12, 0, 30}, 70));
   // A fifth of a degree a frame.
@@ -292,16 +244,16 @@ void makeCity(SceneBuilder& builder, const Values& values) {
        {view("", {0, 24, 330}, {-25, 4, 30}, 50).view, view("", {0, 24, 330}, {25, 4, 30}, 50).view},
        48});
   builder.addPath({"walk",
-                   {view("", {kRoad + 2, 1.8, 120}, {kRoad, 3, 60}, 60).view,
-                    view("", {kRoad + 2, 1.8, 60}, {kRoad - 4, 4, 0}, 60).view,
-                    view("", {kRoad + 2, 1.8, 15}, {-kRoad, 6, -30}, 60).view},
+                   {view("", {kRoad + 3.2, 1.8, 120}, {kRoad, 3, 60}, 60).view,
+                    view("", {kRoad + 3.2, 1.8, 60}, {kRoad - 4, 4, 0}, 60).view,
+                    view("", {kRoad + 3.2, 1.8, 15}, {-kRoad, 6, -30}, 60).view},
                    240});
-  // Past the sapling, whose leaves come into the picture half a metre before the eye.
-  const auto past = [](double z) {
-    const glm::dvec3 eye = kSapling + glm::dvec3(1.1, 1.9, z);
-    return view("", eye, eye + glm::dvec3(-10, 0.3, -12), 50).view;
+  // A slow turn, in which the sapling's outer leaves come into the picture, nearer than anything else.
+  const auto turned = [](double turns) {
+    const glm::dvec3 eye = kSapling + glm::dvec3(-1.2, 1.5, 0.9);
+    return view("", eye, eye + 20.0 * glm::dvec3(cosTurns(turns), -0.2, sinTurns(turns)), 50).view;
   };
-  builder.addPath({"near-leaf", {past(3.5), past(0.9)}, 48});
+  builder.addPath({"near-leaf", {turned(0.12), turned(0.06)}, 48});
 }
 
 }  // namespace

@@ -168,7 +168,7 @@ TEST(Builtin, CityHasDepthAndGapsInDepth) {
   View down = avenue;
   down.verticalFovDegrees = 4;
   const std::vector<double> distances = distancesOf(*scene, down, 12);
-  EXPECT_GT(*std::prev(std::ranges::upper_bound(distances, 1e6)), 850);
+  EXPECT_GT(*std::prev(std::ranges::upper_bound(distances, 1e6)), 700);
 
   // Over the roof's edge: something near, nothing for tens of metres, and much beyond.
   const std::vector<double> gap = distancesOf(*scene, viewNamed(*scene, "gap"), 24);

@@ -28,7 +28,8 @@ class City {
     for (int row = 0; row < kRows; ++row)
       for (int column = 0; column < kColumns; ++column)
         for (const double side : {-1.0, 1.0}) {
-          const glm::dvec3 middle(side * (kFirst + kPitchX * column), kKerb, kPitchZ * (row - kRows / 2));
+          const glm::dvec3 middle(side * (kFirst + kPitchX * column), kKerb,
+                                  kPitchZ * (row - (kRows - 1) / 2.0));
           const bool isView = side > 0 && column == 0 && row == kViewRow;
           addBlock(middle, column, isView);
         }
@@ -85,7 +86,8 @@ class City {
   // Trees and benches around the edge of a block.
   void addGreen(const glm::dmat4& here, double x, double z, int trees) {
     for (int i = 0; i < trees; ++i) {
-      const double along = 2.0 * (i / 2 + 0.5) / (trees / 2.0) - 1, side = i % 2 == 0 ? 1 : -1;
+      const int pair = i / 2;
+      const double along = 4 * (pair + 0.5) / trees - 1, side = i % 2 == 0 ? 1 : -1;
       addTree(here * translation({x * along, 0, side * z * random_.range(0.75, 1.0)}),
               random_.range(0.9, 1.3));
       if (i % 3 == 0)

@@ -35,7 +35,8 @@ void Shape::quad(const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& c, 
   cell(first, first + 1, first + 2, first + 3);
 }
 
-void Shape::box(const glm::dvec3& a, const glm::dvec3& b) {
+void Shape::box(const glm::dvec3& min, const glm::dvec3& max) {
+  const glm::dvec3 &a = min, &b = max;
   quad({a.x, a.y, b.z}, {b.x, a.y, b.z}, {b.x, b.y, b.z}, {a.x, b.y, b.z});
   quad({b.x, a.y, a.z}, {a.x, a.y, a.z}, {a.x, b.y, a.z}, {b.x, b.y, a.z});
   quad({b.x, a.y, b.z}, {b.x, a.y, a.z}, {b.x, b.y, a.z}, {b.x, b.y, b.z});

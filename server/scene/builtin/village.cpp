@@ -135,10 +135,10 @@ void addRow(Shape& village, int terrace, Random& random) {
           return onTerrace(terrace, 0.23, x + side * (1.1 + (half - 1.3) * t));
         };
         if (kind == 0) addAlong(village, half - 1.3, front, [&] { return stones(random); });
-        if (kind > 0) addAlong(village, half - 1.3, front, [&] { return picketPanel; });
+        if (kind > 0) addAlong(village, half - 1.3, front, [&]() -> const Shape& { return picketPanel; });
       }
       const auto side = [&](double t) { return onTerrace(terrace, 0.23 + 0.48 * t, x + half - 0.2); };
-      addAlong(village, 16, side, [&] { return railPanel; });
+      addAlong(village, 16, side, [&]() -> const Shape& { return railPanel; });
       if (random.unit() < 0.6) {
         const double size = random.range(0.6, 0.8), spin = random.unit();
         addTree(

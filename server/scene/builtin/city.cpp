@@ -88,8 +88,8 @@ class City {
     for (int i = 0; i < trees; ++i) {
       const int pair = i / 2;
       const double along = 4 * (pair + 0.5) / trees - 1, side = i % 2 == 0 ? 1 : -1;
-      addTree(here * translation({x * along, 0, side * z * random_.range(0.75, 1.0)}),
-              random_.range(0.9, 1.3));
+      const double in = random_.range(0.75, 1.0), size = random_.range(0.9, 1.3);
+      addTree(here * translation({x * along, 0, side * z * in}), size);
       if (i % 3 == 0)
         place("bench", kit_.bench,
               here * translation({x * along + 3, 0, side * (z + 1.5)}) * turnedY(side > 0 ? 0 : 0.5));
@@ -103,7 +103,8 @@ class City {
 
   void addHouses(const glm::dmat4& here, int column, bool isView) {
     // Towards the avenue they are higher.
-    constexpr std::array<std::size_t, kColumns> kLowest{5, 2, 0}, kKinds{6, 6, 6};
+    constexpr std::array<std::size_t, kColumns> kLowest{5, 2, 0};
+    constexpr std::uint32_t kKinds = 6;
     const double x = kBlock.x - kLotDepth / 2, z = kBlock.y - kLotDepth / 2;
     struct Lot {
       double x, z, turn;
@@ -117,10 +118,10 @@ class City {
                                    {0, -z, 0.5, false},
                                    {-kLotWidth, -z, 0.5, true},
                                    {-x, 0, 0.75, false}}};
-    const auto column0 = static_cast<std::size_t>(column);
+    const std::size_t lowest = kLowest[static_cast<std::size_t>(column)];
     for (const Lot& lot : lots) {
       const bool isViewLot = isView && lot.turn == 0.75;
-      std::size_t kind = kLowest[column0] + random_.below(static_cast<std::uint32_t>(kKinds[column0]));
+      std::size_t kind = lowest + random_.below(kKinds);
       const bool isEmpty = random_.unit() < 0.06;
       if (isViewLot) kind = kViewTenement;
       const glm::dmat4 where = here * translation({lot.x, 0, lot.z}) * turnedY(lot.turn);
@@ -136,7 +137,8 @@ class City {
         addRoof(where, mesh);
       }
     }
-    addTree(here * translation({random_.range(-12, 12), 0, random_.range(-5, 5)}), random_.range(1.0, 1.4));
+    const double yardX = random_.range(-12, 12), yardZ = random_.range(-5, 5);
+    addTree(here * translation({yardX, 0, yardZ}), random_.range(1.0, 1.4));
   }
 
   void addRoof(const glm::dmat4& house, const TenementMesh& mesh) {

@@ -41,7 +41,7 @@ double bareness(double x, double z) {
 }  // namespace
 
 double villageHeight(double x, double z) {
-  static const double square = hillside(kVillageSquare.x, kVillageSquare.y);
+  const double square = hillside(kVillageSquare.x, kVillageSquare.y);
   const double isSquare = 1 - smooth((squareDistance(x, z) - kSquareRadius) / 14);
   return glm::mix(hillside(x, z), square, isSquare);
 }

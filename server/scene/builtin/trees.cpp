@@ -60,8 +60,9 @@ void makeTrees(SceneBuilder& builder, const Values& values) {
   for (unsigned i = 0; i < count; ++i) {
     // Spread over the whole lattice when there are fewer trees than cells.
     const auto slot = static_cast<unsigned>(std::uint64_t{i} * side * side / count);
-    const double x = (slot % side + random.range(0.15, 0.85)) * cell - kHalf;
-    const double z = (slot / side + random.range(0.15, 0.85)) * cell - kHalf;
+    const unsigned column = slot % side, row = slot / side;
+    const double x = (column + random.range(0.15, 0.85)) * cell - kHalf;
+    const double z = (row + random.range(0.15, 0.85)) * cell - kHalf;
     const std::size_t kind = random.below(kKinds);
     const double size = random.range(0.8, 1.25);
     builder.addInstance("tree", kinds[kind],

@@ -1,8 +1,11 @@
 // The built-in scenes are the same everywhere, as large as stated, and grid's closed form tells the truth.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstring>
+#include <glm/gtc/matrix_inverse.hpp>
+#include <limits>
 #include <random>
 
 #include "scene/builtin/grid.h"
@@ -66,7 +69,117 @@ TEST(Builtin, TriangleCountsAreNearThoseOfThePapers) {
   };
   EXPECT_NEAR(count("atrium"), 262'000, 2'600);
   EXPECT_NEAR(count("trees"), 995'000, 5'000);
+  EXPECT_NEAR(count("village"), 226'000, 2'000);
+  EXPECT_NEAR(count("city"), 2'300'000, 20'000);
+  EXPECT_NEAR(count("city?seed=2"), 2'300'000, 100'000);
   EXPECT_EQ(count("grid"), 202);
+}
+
+// What its mesh's bounds can't tell, its clusters' must.
+TEST(Builtin, VillageIsOneMeshOfSmallClusters) {
+  const Result<Scene> scene = makeBuiltin("village");
+  ASSERT_TRUE(scene);
+  EXPECT_EQ(scene->meshes.size(), 1u);
+  EXPECT_EQ(scene->instances.size(), 1u);
+  EXPECT_EQ(scene->materials.size(), 1u);
+  EXPECT_GT(scene->bounds.diagonal(), 400);
+  std::vector<float> sizes;
+  for (const shared::Cluster& cluster : scene->clusters)
+    sizes.push_back(glm::distance(cluster.boundsMin, cluster.boundsMax));
+  std::ranges::sort(sizes);
+  EXPECT_LT(sizes[sizes.size() / 2], 0.02 * scene->bounds.diagonal());
+  EXPECT_LT(sizes.back(), 0.15 * scene->bounds.diagonal());
+}
+
+TEST(Builtin, CityIsInstanced) {
+  const Result<Scene> scene = makeBuiltin("city");
+  ASSERT_TRUE(scene);
+  EXPECT_LT(scene->sourceTriangle.size(), 150'000u);
+  EXPECT_LT(scene->bytes(), 20'000'000u);
+  EXPECT_GT(scene->bounds.max.z - scene->bounds.min.z, 1000);
+  EXPECT_LT(scene->instances.size(), 4'000u);
+}
+
+// The nearest triangle along a ray, in metres; infinity where there is none. By brute force.
+double distanceAlong(const Scene& scene, const glm::dvec3& from, const glm::dvec3& direction) {
+  double nearest = std::numeric_limits<double>::infinity();
+  for (const Instance& instance : scene.instances) {
+    const Mesh& mesh = scene.meshes[instance.mesh];
+    const glm::dmat4 meshFromWorld = glm::affineInverse(instance.worldFromMesh);
+    const glm::dvec3 o(meshFromWorld * glm::dvec4(from, 1)), d(meshFromWorld * glm::dvec4(direction, 0));
+    const glm::dvec3 t0 = (glm::dvec3(mesh.boundsMin) - 1e-3 - o) / d;
+    const glm::dvec3 t1 = (glm::dvec3(mesh.boundsMax) + 1e-3 - o) / d;
+    const glm::dvec3 enter = glm::min(t0, t1), leave = glm::max(t0, t1);
+    const double in = std::max({enter.x, enter.y, enter.z, 0.0});
+    if (in > std::min({leave.x, leave.y, leave.z, nearest})) continue;
+    for (std::uint32_t k = mesh.firstTriangle; k < mesh.firstTriangle + mesh.triangleCount; ++k) {
+      const auto p = [&](std::size_t c) {
+        return glm::dvec3(scene.vertices[scene.indices[3 * std::size_t{k} + c]].position);
+      };
+      const glm::dvec3 a = p(0), ab = p(1) - a, ac = p(2) - a, h = glm::cross(d, ac), s = o - a;
+      const double determinant = glm::dot(ab, h);
+      const double u = glm::dot(s, h) / determinant;
+      const glm::dvec3 q = glm::cross(s, ab);
+      const double v = glm::dot(d, q) / determinant, t = glm::dot(ac, q) / determinant;
+      if (u >= 0 && v >= 0 && u + v <= 1 && t > 0) nearest = std::min(nearest, t);
+    }
+  }
+  return nearest;
+}
+
+// Distances from a view's eye over an n x n picture of it, sorted.
+std::vector<double> distancesOf(const Scene& scene, const View& view, int n) {
+  const glm::dvec3 forward = glm::normalize(view.target - view.eye);
+  const glm::dvec3 right = glm::normalize(glm::cross(forward, view.up)), up = glm::cross(right, forward);
+  const double half = std::tan(glm::radians(view.verticalFovDegrees) / 2);
+  std::vector<double> distances;
+  for (int j = 0; j < n; ++j)
+    for (int i = 0; i < n; ++i) {
+      const double x = half * (2 * (i + 0.5) / n - 1), y = half * (2 * (j + 0.5) / n - 1);
+      const glm::dvec3 ray = glm::normalize(forward + x * right + y * up);
+      distances.push_back(distanceAlong(scene, view.eye, ray));
+    }
+  std::ranges::sort(distances);
+  return distances;
+}
+
+const View& viewNamed(const Scene& scene, std::string_view name) {
+  return std::ranges::find(scene.views, name, &NamedView::name)->view;
+}
+
+TEST(Builtin, ViewsOfVillageAndCitySeeGeometryFromTheOpen) {
+  for (const std::string_view name : {"village", "village?seed=5", "city", "city?seed=5"}) {
+    const Result<Scene> scene = makeBuiltin(name);
+    ASSERT_TRUE(scene);
+    for (const NamedView& view : scene->views) {
+      const std::vector<double> distances = distancesOf(*scene, view.view, 4);
+      EXPECT_GT(distances.front(), 0.4) << name << ' ' << view.name;
+      EXPECT_LT(distances[distances.size() / 3], 1e6) << name << ' ' << view.name;
+    }
+  }
+}
+
+TEST(Builtin, CityHasDepthAndGapsInDepth) {
+  const Result<Scene> scene = makeBuiltin("city");
+  ASSERT_TRUE(scene);
+  const View& avenue = viewNamed(*scene, "avenue");
+  EXPECT_LT(distancesOf(*scene, avenue, 12).front(), 8);
+  // Only its vanishing point is far away.
+  View down = avenue;
+  down.verticalFovDegrees = 4;
+  const std::vector<double> distances = distancesOf(*scene, down, 12);
+  EXPECT_GT(*std::prev(std::ranges::upper_bound(distances, 1e6)), 700);
+
+  // Over the roof's edge: something near, nothing for tens of metres, and much beyond.
+  const std::vector<double> gap = distancesOf(*scene, viewNamed(*scene, "gap"), 24);
+  const auto beyond = std::ranges::upper_bound(gap, 8.0);
+  EXPECT_GT(beyond - gap.begin(), 30);
+  EXPECT_GT(gap.end() - beyond, 200);
+  EXPECT_GT(*beyond, 16);
+
+  const NamedPath& path = *std::ranges::find(scene->paths, "near-leaf", &NamedPath::name);
+  EXPECT_GT(distancesOf(*scene, path.keys.front(), 24).front(), 2);
+  EXPECT_LT(distancesOf(*scene, path.keys.back(), 24).front(), 1);
 }
 
 TEST(Builtin, IsTheSameEachTime) {
@@ -77,6 +190,8 @@ TEST(Builtin, IsTheSameEachTime) {
 TEST(Builtin, IsTheSameOnEveryMachine) {
   EXPECT_EQ(hashOf(*makeBuiltin("atrium")), 2000448353945094322u);
   EXPECT_EQ(hashOf(*makeBuiltin("trees")), 5303061929892748117u);
+  EXPECT_EQ(hashOf(*makeBuiltin("village")), 16964394244318166693u);
+  EXPECT_EQ(hashOf(*makeBuiltin("city")), 11431884775052123394u);
   EXPECT_EQ(hashOf(*makeBuiltin("grid")), 13861217816283974019u);
 }
 
@@ -90,7 +205,7 @@ TEST(Builtin, ParametersAreObeyedAndChecked) {
     EXPECT_EQ(scene.error().code, code);
     EXPECT_NE(scene.error().message.find(words), std::string::npos) << scene.error().message;
   };
-  expectError("sponza", ErrorCode::notFound, "there are: atrium, trees, grid");
+  expectError("sponza", ErrorCode::notFound, "there are: atrium, trees, village, city, grid");
   expectError("", ErrorCode::notFound, "atrium");
   expectError("trees?count=0", ErrorCode::invalidArgument, "must be an integer, 1 to 20000");
   expectError("trees?count=", ErrorCode::invalidArgument, "1 to 20000");

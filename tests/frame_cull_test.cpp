@@ -97,5 +97,16 @@ TEST_F(FrameCull, ACloseUpDrawsASmallPartOfTheScene) {
   EXPECT_LT(renderings[1].work("gbuffer", "primitives"), triangles / 10);
 }
 
+// Alecu's worst case: the one mesh reaches every map and every view, most of its clusters don't.
+TEST_F(FrameCull, OneMeshThatSpansEverythingIsCulledByItsClusters) {
+  const auto scene = builtin("village");
+  ASSERT_EQ(scene->instances.size(), 1u);
+  const auto triangles = static_cast<double>(scene->instancedTriangles());
+  const auto renderings =
+      render(jobOf(scene, viewOf(*scene, "fence"), lightOf(*scene, "noon"), {128, 128}, {"dv,texels=256"}));
+  EXPECT_LT(renderings[0].work("gbuffer", "primitives"), triangles / 5);
+  EXPECT_LT(renderings[0].work("store", "primitives"), triangles / 10);
+}
+
 }  // namespace
 }  // namespace sundial::test

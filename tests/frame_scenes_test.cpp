@@ -78,6 +78,7 @@ TEST_P(FrameScenes, MoreTexelsAreTruerAndErrorsStayAtEdges) {
 INSTANTIATE_TEST_SUITE_P(All, FrameScenes,
                          ::testing::Values(SceneCase{"atrium", "atrium"},
                                            SceneCase{"trees", "trees?count=60"},
+                                           SceneCase{"village", "village"},
                                            SceneCase{"apartment", "apartment.glb"},
                                            SceneCase{"jungle", "jungle.glb"}, SceneCase{"space", "space.glb"},
                                            SceneCase{"carriage", "carriage.glb"}),

@@ -95,7 +95,7 @@ TEST_F(Interrupted, WithoutAnInterruptEveryPassRunsInOrder) {
 // Between every two passes of real frames, of a method with a map and of one that traces.
 TEST_F(Interrupted, EveryMethodsFrameStopsAfterAnyOfItsPassesAndRunsAgainWhole) {
   const auto scene = builtin("grid");
-  const FramePipelines pipelines(device());
+  FramePipelines pipelines(device());
   const glm::uvec2 size(64, 64);
   const ViewTarget target(device(), size);
   SceneBuffers buffers(device(), scene);

@@ -6,9 +6,20 @@
 
 namespace sundial::builtin {
 
+namespace {
+constexpr std::uint32_t kWhite = 0xffffffffu;
+}
+
 void Shape::vertex(const glm::dvec3& position, const glm::dvec2& uv) {
   primitive_.positions.emplace_back(position);
   primitive_.uvs.emplace_back(uv);
+  if (colour_) primitive_.colours.push_back(*colour_);
+}
+
+void Shape::paint(const glm::vec3& linear) {
+  colour_ = 0xffu << 24;
+  for (int i = 0; i < 3; ++i) *colour_ |= static_cast<std::uint32_t>(std::lround(linear[i] * 255)) << (8 * i);
+  primitive_.colours.resize(primitive_.positions.size(), kWhite);
 }
 
 void Shape::cell(std::uint32_t a, std::uint32_t b, std::uint32_t c, std::uint32_t d) {
@@ -24,7 +35,8 @@ void Shape::quad(const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& c, 
   cell(first, first + 1, first + 2, first + 3);
 }
 
-void Shape::box(const glm::dvec3& a, const glm::dvec3& b) {
+void Shape::box(const glm::dvec3& min, const glm::dvec3& max) {
+  const glm::dvec3 &a = min, &b = max;
   quad({a.x, a.y, b.z}, {b.x, a.y, b.z}, {b.x, b.y, b.z}, {a.x, b.y, b.z});
   quad({b.x, a.y, a.z}, {a.x, a.y, a.z}, {a.x, b.y, a.z}, {b.x, b.y, a.z});
   quad({b.x, a.y, b.z}, {b.x, a.y, a.z}, {b.x, b.y, a.z}, {b.x, b.y, b.z});
@@ -60,6 +72,13 @@ void Shape::tube(std::span<const glm::dvec3> points, std::span<const double> rad
 
 void Shape::append(const Shape& other, const glm::dmat4& transform) {
   const auto first = static_cast<std::uint32_t>(primitive_.positions.size());
+  if (colour_ || !other.primitive_.colours.empty()) {
+    std::vector<std::uint32_t>& colours = primitive_.colours;
+    colours.resize(first, kWhite);
+    colours.insert(colours.end(), other.primitive_.colours.begin(), other.primitive_.colours.end());
+    colours.resize(first + other.primitive_.positions.size(), colour_.value_or(kWhite));
+    if (!colour_) colour_ = kWhite;
+  }
   for (const glm::vec3& p : other.primitive_.positions)
     primitive_.positions.emplace_back(glm::dvec3(transform * glm::dvec4(p, 1)));
   primitive_.uvs.insert(primitive_.uvs.end(), other.primitive_.uvs.begin(), other.primitive_.uvs.end());

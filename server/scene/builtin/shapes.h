@@ -1,6 +1,7 @@
 // A small kit to model with: boxes, lathed and swept surfaces, gathered into one primitive.
 #pragma once
 
+#include <optional>
 #include <span>
 
 #include "scene/scene_builder.h"
@@ -37,7 +38,11 @@ class Shape {
   // A round tube through points; radii one a point. Open at its ends.
   void tube(std::span<const glm::dvec3> points, std::span<const double> radii, unsigned sides);
 
+  // Keeps the other's colours; what has none takes this shape's.
   void append(const Shape&, const glm::dmat4& transform);
+
+  // What comes after it has this colour, linear RGB. What came before the first is white.
+  void paint(const glm::vec3& linear);
 
   std::size_t triangles() const { return primitive_.indices.size() / 3; }
   Primitive take(std::uint32_t material) &&;
@@ -47,6 +52,7 @@ class Shape {
   void cell(std::uint32_t a, std::uint32_t b, std::uint32_t c, std::uint32_t d);
 
   Primitive primitive_;
+  std::optional<std::uint32_t> colour_;  // RGBA8; without one there are no vertex colours at all
 };
 
 glm::dmat4 translation(const glm::dvec3&);

@@ -75,15 +75,16 @@ void main() {
   }
   analysis.splits[0] = near;
   analysis.splits[parts] = far;
-  if (kScheme == kAdaptive) {
+  if (kScheme == kManual) {
+    for (uint i = 1; i <= parts; ++i) analysis.splits[i] = frame.settings.splits[i - 1];
+  } else if (kScheme == kAdaptive) {
     splitAdaptively(near, far);
   } else if (kScheme == kKmeans) {
     splitByClusters(near, far);
   } else {
     for (uint i = 1; i < parts; ++i) {
       const float lambda = kScheme == kLog ? 1 : kScheme == kUniform ? 0 : frame.settings.lambda;
-      analysis.splits[i] = kScheme == kManual ? frame.settings.splits[i - 1]
-                                              : practical(near, far, float(i) / float(parts), lambda);
+      analysis.splits[i] = practical(near, far, float(i) / float(parts), lambda);
     }
   }
 }

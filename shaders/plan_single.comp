@@ -14,7 +14,7 @@ void main() {
   if (!isEmpty(box)) box = withExtent(withBorder(withCasters(box), texels));
   const mat4 lightFromWorld = samples ? analysis.lightFromWorld : frame.lightFromWorld;
   writePlan(1, lightFromWorld);
-  placeInImage(0);
+  placeMap(0);
   writeView(0, box, lightFromWorld, texels);
   if (samples) plan.views[0].sampleCount = analysis.sampleCount[0];
 }

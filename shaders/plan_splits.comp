@@ -59,7 +59,7 @@ void main() {
     box = withCasters(box);
     box = kFit == kSnapped ? snapped(withExtent(box), texels) : withExtent(withBorder(box, texels));
   }
-  placeInImage(view);
+  placeMap(view);
   writeView(view, box, lightFromWorld, texels);
   plan.views[view].depthBegin = depthBegin;
   plan.views[view].depthEnd = depthEnd;

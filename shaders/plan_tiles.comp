@@ -50,12 +50,11 @@ void main() {
   if (empty) box = LightBox(vec3(box.low.xy, min(frame.lsBoundsMin.z, frame.lsBoundsMax.z)), vec3(box.high.xy, frame.lsBoundsMax.z));
   if (kFit != kCasters) box = withCasters(box);
   box = withExtent(kFit == kBox && !empty ? withBorder(box, texels) : box);
-  placeInImage(view);
+  placeMap(view);
   writeView(view, box, frame.lightFromWorld, texels);
   uint before = 0;
   for (uint v = 0; v < view; ++v) before += frame.settings.tileTexels[v] * frame.settings.tileTexels[v];
   plan.views[view].linearOffset = before;
-  plan.views[view].rectOffset = uvec2(0);
   plan.views[view].sampleCount = analysis.sampleCount[tile];
   plan.views[view].importance = analysis.importance[tile];
   plan.views[view].tile = tile;

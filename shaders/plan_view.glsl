@@ -81,11 +81,13 @@ void writePlan(uint viewCount, mat4 lightFromWorld) {
   plan.tilesPerSide = 0;
 }
 
-// Where the view's map lies in the store's image, and what it was made for: nothing in particular.
-void placeInImage(uint view) {
+// Where a map of the common size lies in the store, and what it was made for: nothing in particular.
+void placeMap(uint view) {
   const uint columns = frame.settings.mapColumns;
-  plan.views[view].rectOffset = uvec2(view % columns, view / columns) * frame.settings.mapSize;
-  plan.views[view].linearOffset = 0;
+  const uvec2 size = frame.settings.mapSize;
+  const bool linear = frame.storeSize.y == 1;
+  plan.views[view].rectOffset = linear ? uvec2(0) : uvec2(view % columns, view / columns) * size;
+  plan.views[view].linearOffset = linear ? view * size.x * size.y : 0;
   plan.views[view].sampleCount = 0;
   plan.views[view].importance = 0;
   plan.views[view].depthBegin = 0;

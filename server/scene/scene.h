@@ -74,7 +74,7 @@ struct Scene {
   std::uint64_t bytes() const;  // of memory held by the arrays above
 };
 
-// For a scene that names none: from above one corner of the bounds; a sun at 50 degrees.
+// For a scene that names none: all of it, seen from above one corner of its bounds; a sun at 50 degrees.
 View defaultView(const Scene&);
 Light defaultLight(const Scene&);
 

@@ -42,7 +42,8 @@ const std::vector<Rule>& rules() {
         .min = 0,
         .max = 100,
         .defaultValue = "2",
-        .description = "how far a receiver moves towards the light, in texels of its map"},
+        .description = "how far a receiver moves towards the light, in texels of its map; half of it where it looks into "
+                       "the light"},
        always},
       {{.name = "bias_world",
         .kind = Kind::number,

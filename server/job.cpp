@@ -143,6 +143,7 @@ Measures measured(const JobContext& context, const RenderJob& job, const Truth& 
 // Timed frames of a method and its baseline, in turn; the method's is the last, so that the target holds its
 // images.
 struct Series {
+  std::vector<Pass> passes;  // of the frames: a method's first frame may have another order
   std::vector<FrameTiming> frames;
   std::vector<double> ratios;  // frame time over the baseline's, pair by pair
 };
@@ -164,18 +165,17 @@ Result<Series> timeFrames(const Device& device, const Frame& frame, const Frame*
     return job.repetitions > 0 && job.quartileTarget > 0 && series.frames.size() < job.maxRepetitions &&
            !settled(series, job.quartileTarget);
   };
-  const auto passes = frame.passes();
-  const auto basePasses = baseline ? baseline->passes() : std::vector<Pass>{};
   Series series;
   // A round before the first is the warm-up: it isn't kept when there are others.
   for (bool kept = job.repetitions == 0; wantsAnother(series); kept = true) {
     double baseMs = 0;
     if (baseline) {
-      auto timing = runFrame(device, basePasses, interrupt);
+      auto timing = runFrame(device, baseline->passes(), interrupt);
       if (!timing) return std::unexpected(timing.error());
       baseMs = timing->frameMs;
     }
-    auto timing = runFrame(device, passes, interrupt);
+    series.passes = frame.passes();
+    auto timing = runFrame(device, series.passes, interrupt);
     if (!timing) return std::unexpected(timing.error());
     if (!kept) continue;
     if (baseline) series.ratios.push_back(timing->frameMs / baseMs);
@@ -266,7 +266,7 @@ Result<void> runJob(const JobContext& context, const RenderJob& job, const Inter
     result.frameMs = quartilesOf(std::move(frameMs));
     result.repetitions = job.repetitions == 0 ? 0 : static_cast<unsigned>(series->frames.size());
     if (!series->ratios.empty()) result.ratio = quartilesOf(std::move(series->ratios));
-    result.passes = passTimings(frame.passes(), series->frames);
+    result.passes = passTimings(series->passes, series->frames);
     if (job.measures) result.measures = measured(context, job, *truth, frame, view, answers);
     result.storeBytes = frame.storeBytes();
     result.totalBytes = frame.totalBytes();

@@ -96,8 +96,6 @@ void Frame::bindTo(BindingSet& bindings, const ViewTarget& samples) const {
 }
 
 void Frame::look(const FrameView& view) {
-  // What was analysed lies relative to its origin.
-  analysed_ = view.origin == view_.origin;
   view_.light = view.light;
   view_.origin = view.origin;
   view_.constants = view.constants;
@@ -135,7 +133,8 @@ std::vector<Pass> Frame::passes() const {
               resolve,
               shade};
     case PlanTiming::delayed:
-      if (analysed_) return {gbuffer, plan, cull, store, resolve, shade, analyze};
+      // What was analysed lies relative to its origin.
+      if (analysedAt_ == view_.origin) return {gbuffer, plan, cull, store, resolve, shade, analyze};
       return {gbuffer, analyze, plan, cull, store, resolve, shade};
   }
   return {};
@@ -163,6 +162,7 @@ bool Frame::asksSamples() const {
 // the camera's depth is cut.
 void Frame::analyze(VkCommandBuffer command) const {
   const Stages& stages = *method_.stages;
+  analysedAt_ = view_.origin;
   bindings_.bind(command);
   if (asksSamples()) {
     const VkBufferCopy axes{offsetof(shared::FrameConstants, lightFromWorld),

@@ -94,7 +94,7 @@ class Frame {
   BindingSet bindings_;
   // plan=readback alone: the plan on its way to the host, and what the host leaves of the draws.
   std::optional<Buffer> hostPlan_, hostCommands_, hostCounts_;
-  bool analysed_ = false;  // by the frame before, with the same origin
+  mutable std::optional<glm::dvec3> analysedAt_;  // the origin of the last analysis that was recorded
   // Ray tracing alone: view samples on their way to the host, visibility on its way back.
   std::optional<Buffer> hostPositions_, hostNormals_, hostVisibility_;
 };

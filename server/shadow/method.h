@@ -40,6 +40,9 @@ struct MethodRow {
 // Who knows the plan, and when: the device alone; the host too, which waits for it, culls and submits what is
 // left; or all use what the samples of the frame before said.
 enum class PlanTiming { gpu, readback, delayed };
+// Where the square of volume=inscribed lies: the camera on the circle inscribed in it, as the paper has it; or turned
+// so that the camera looks along the middle of a column of tiles.
+enum class Placement { circle, column };
 // Which partition answers: the one made for the sample's depth, or the tightest that contains it.
 enum class Choose { depth, tightest };
 
@@ -58,6 +61,7 @@ struct Method {
     Choose choose = Choose::tightest;
     double blend = 0;                  // share of a partition's depth
     std::optional<double> extent;      // volume=inscribed: side of the square, metres; none: by a rule
+    Placement placement = Placement::circle;
     std::vector<unsigned> tileSizes;   // texels a side; as many as tiles
     double importanceGain = 0;         // m and k of [Alecu 2014, equation 3.1]
     std::optional<double> importanceRange;  // metres; none: by a rule

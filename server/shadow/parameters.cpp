@@ -132,6 +132,14 @@ const std::vector<Rule>& rules() {
         .description = "side of the square that the tiles cut; auto: what the camera could see of the scene",
         .choices = {kAuto}},
        tiles},
+      {{.name = "placement",
+        .kind = Kind::choice,
+        .unit = "",
+        .defaultValue = "circle",
+        .description = "circle: the camera stands on the circle inscribed in the square; column: the square is turned "
+                       "so that the camera looks along the middle of tiles, never at a corner of four",
+        .choices = {"circle", "column"}},
+       tiles},
       {{.name = "importance_gain",
         .kind = Kind::number,
         .unit = "1",
@@ -293,6 +301,9 @@ Method::Settings settingsFrom(const std::map<std::string, std::string>& paramete
   });
   with("blend", [&](const std::string& text) { settings.blend = *parse<double>(text); });
   with("extent", [&](const std::string& text) { settings.extent = unlessAuto(text); });
+  with("placement", [&](const std::string& text) {
+    settings.placement = text == "column" ? Placement::column : Placement::circle;
+  });
   with("tile_sizes", [&](const std::string& text) {
     const std::vector<double> sides = *parseList(text);
     settings.tileSizes.assign(sides.begin(), sides.end());

@@ -90,33 +90,45 @@ std::vector<dvec2> seenCorners(const shared::FrameConstants& c) {
   return corners;
 }
 
+// How far the square reaches from the camera in the plane of light space, in shares of its side.
+struct Reach {
+  dvec2 before, behind;  // towards greater and towards smaller coordinates
+};
+
+Reach reachOf(const Method::Settings& settings, const dvec2& direction) {
+  if (settings.placement == Placement::circle) return {0.5 * (1.0 + direction), 0.5 * (1.0 - direction)};
+  // Light space is turned: the camera looks along x from the middle of a tile's edge.
+  const double tiles = std::round(std::sqrt(static_cast<double>(settings.tileSizes.size())));
+  const double aside = std::fmod(tiles, 2) == 0 ? 0.5 / tiles : 0;
+  return {{1, 0.5 + aside}, {0, 0.5 - aside}};
+}
+
 // The smallest square that holds what the camera could see of the scene; never more than twice the scene.
-Square squareOf(const shared::FrameConstants& c, std::optional<double> extent) {
+Square squareOf(const shared::FrameConstants& c, const Method::Settings& settings) {
   const dvec2 low(c.lsBoundsMin), high(c.lsBoundsMax);
   if (low.x > high.x) return {};
   const dvec2 size = high - low;
   // Before a spot there is no plane to stand on: its whole cone is cut.
   if (c.lightKind != shared::kLightDirectional) {
-    const double side = extent.value_or(std::max(size.x, size.y));
+    const double side = settings.extent.value_or(std::max(size.x, size.y));
     return {0.5 * (low + high) - 0.5 * side, side};
   }
   const dmat4 light(c.lightFromWorld);
   const dvec2 eye(light * dvec4(c.wsEye, 1)), along(light * dvec4(forwardOf(c), 0));
-  const dvec2 direction = glm::length(along) < 1e-4 ? dvec2(0) : glm::normalize(along);
+  const Reach reach = reachOf(settings, glm::length(along) < 1e-4 ? dvec2(0) : glm::normalize(along));
   double side = 1e-3;
-  if (extent) {
-    side = *extent;
+  if (settings.extent) {
+    side = *settings.extent;
   } else {
     for (const dvec2& corner : seenCorners(c))
       for (int axis = 0; axis < 2; ++axis) {
-        // The square reaches from the eye by this share of its half side, before or behind it.
         const double offset = corner[axis] - eye[axis];
-        const double reach = offset > 0 ? 1 + direction[axis] : 1 - direction[axis];
-        side = std::max(side, 2 * std::abs(offset) / std::max(reach, 1e-6));
+        const double share = offset > 0 ? reach.before[axis] : reach.behind[axis];
+        side = std::max(side, std::abs(offset) / std::max(share, 1e-6));
       }
     side = std::min(1.001 * side, 2 * std::max(glm::length(size), 1e-3));
   }
-  return {eye + 0.5 * side * direction - 0.5 * side, side};
+  return {eye - side * reach.behind, side};
 }
 
 }  // namespace
@@ -142,7 +154,8 @@ void settle(shared::FrameConstants& c, const Method& method, const dvec3& origin
   if (!method.stages) return;
   const Stages& stages = *method.stages;
 
-  if (stages.focus == Focus::aligned) alignWithCamera(c);
+  const bool column = stages.partition == Partition::tiles && from.placement == Placement::column;
+  if (stages.focus == Focus::aligned || column) alignWithCamera(c);
   to.lsOriginOnGrid = originOnGrid(c, origin);
   to.depthFar = c.sceneDepth;
   to.depthNear = c.nearDistance;
@@ -167,7 +180,7 @@ void settle(shared::FrameConstants& c, const Method& method, const dvec3& origin
   std::uint32_t texels = 0;
   for (const unsigned side : from.tileSizes) texels += side * side;
   c.storeSize = {texels, 1};
-  const Square square = squareOf(c, from.extent);
+  const Square square = squareOf(c, from);
   to.lsSquareMin = square.low;
   to.lsSquareSide = static_cast<float>(square.side);
   to.importanceGain = static_cast<float>(from.importanceGain);

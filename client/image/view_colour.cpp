@@ -1,12 +1,13 @@
 #include "image/view_colour.h"
 
 #include <cmath>
+#include <iterator>
 
 namespace sundial::image {
 namespace {
 
-// Sky blue, yellow, purple, vermillion; green, orange, blue, grey.
-constexpr unsigned kOrder[kOkabeItoCount] = {4, 6, 3, 5, 2, 1, 0, 7};
+// Sky blue, yellow, purple, vermillion; green, orange, blue. Grey is for no view.
+constexpr unsigned kOrder[] = {4, 6, 3, 5, 2, 1, 0};
 
 Rgb towards(Rgb from, std::uint8_t to, double share) {
   const auto channel = [&](std::uint8_t c) {
@@ -18,8 +19,8 @@ Rgb towards(Rgb from, std::uint8_t to, double share) {
 }  // namespace
 
 Rgb viewColour(std::size_t view) {
-  const Rgb hue = kOkabeIto[kOrder[view % kOkabeItoCount]];
-  switch (view / kOkabeItoCount % 3) {
+  const Rgb hue = kOkabeIto[kOrder[view % std::size(kOrder)]];
+  switch (view / std::size(kOrder) % 3) {
     case 1:
       return towards(hue, 255, 0.5);
     case 2:

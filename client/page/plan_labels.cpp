@@ -11,6 +11,7 @@ namespace sundial::page {
 namespace {
 
 constexpr double kGap = 7;           // pixels around a label
+constexpr double kTouch = 0.01;      // neighbours share a rim, up to rounding
 constexpr double kLineHeight = 1.2;  // of the font's size
 // Of the font's size: what no usual font's letters exceed on average, bold and regular.
 constexpr double kBoldAdvance = 0.7, kAdvance = 0.6;
@@ -30,7 +31,7 @@ glm::dvec2 extent(const std::vector<std::string>& lines, double fontSize) {
 
 double overlap(const Box& a, const Box& b) {
   const glm::dvec2 common = glm::min(a.most, b.most) - glm::max(a.least, b.least);
-  return common.x > 0 && common.y > 0 ? common.x * common.y : 0;
+  return common.x > kTouch && common.y > kTouch ? common.x * common.y : 0;
 }
 
 double area(const Box& box) { return box.size().x * box.size().y; }
@@ -107,12 +108,14 @@ std::vector<std::optional<Label>> placeLabels(const std::vector<LabelWish>& wish
 
 std::string labelText(const Label& label, const std::string& colour) {
   double x = label.box.least.x + kGap, y = label.box.least.y + kGap, size = label.fontSize;
-  std::string svg =
-      fmt::format(R"svg(<g fill="{}" stroke="#14171b" stroke-width="4" paint-order="stroke">)svg", colour);
+  std::string svg = fmt::format(
+      R"svg(<g class="label"><rect x="{:.1f}" y="{:.1f}" width="{:.1f}" height="{:.1f}" fill="#14171b" opacity="0.6"/>)svg",
+      label.box.least.x + 2, label.box.least.y + 2, label.box.size().x - 4, label.box.size().y - 4);
   for (std::size_t i = 0; i < label.lines.size(); ++i) {
     y += kLineHeight * size;
-    svg += fmt::format(R"svg(<text x="{:.1f}" y="{:.1f}" font-size="{:.1f}"{}>{}</text>)svg", x,
-                       y - 0.25 * size, size, i == 0 ? R"( font-weight="700")" : "", escaped(label.lines[i]));
+    svg += fmt::format(R"svg(<text x="{:.1f}" y="{:.1f}" font-size="{:.1f}" fill="{}"{}>{}</text>)svg", x,
+                       y - 0.25 * size, size, i == 0 ? colour : "#e8eaed",
+                       i == 0 ? R"( font-weight="700")" : "", escaped(label.lines[i]));
     if (i == 0) size *= kSmallerFont;
   }
   return svg + "</g>";

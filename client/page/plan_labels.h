@@ -30,7 +30,7 @@ inline constexpr double kSmallerFont = 0.62;  // of the other lines, of the firs
 // to what can be read. Places that no smaller rectangle claims are preferred.
 std::vector<std::optional<Label>> placeLabels(const std::vector<LabelWish>&);
 
-// SVG text of a label.
+// SVG of a label on a dim ground, the first line in that colour.
 std::string labelText(const Label&, const std::string& colour);
 
 }  // namespace sundial::page

@@ -7,9 +7,8 @@
 
 namespace sundial::image {
 
-// Okabe and Ito's hues, ordered so that the first four, and each and its next, differ for any colour vision
-// on a dark ground. From the ninth view on they return lighter, from the seventeenth on darker, and so
-// around.
+// Okabe and Ito's hues without grey, which is for no view; ordered so that the first four differ for any
+// colour vision. From the eighth view on they return lighter, from the fifteenth on darker, and so around.
 Rgb viewColour(std::size_t view);
 
 }  // namespace sundial::image

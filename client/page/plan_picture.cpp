@@ -21,7 +21,7 @@ namespace {
 constexpr double kSide = 720, kMargin = 36;  // pixels, of the drawing; its legend is below
 constexpr unsigned kMostGridLines = 16;      // across the largest map
 constexpr const char* kOpen =
-    R"svg(<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 720 760" font-family="system-ui,sans-serif"><rect width="720" height="760" fill="#14171b"/>)svg";
+    R"svg(<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 720 768" font-family="system-ui,sans-serif"><rect width="720" height="768" fill="#14171b"/>)svg";
 
 std::string css(image::Rgb colour) {
   return fmt::format("#{:02x}{:02x}{:02x}", colour.r, colour.g, colour.b);
@@ -86,7 +86,7 @@ std::string drawFrustum(const Frustum& frustum, double depth, const v1::Plan& pl
     if (view.depth_end() > view.depth_begin() && view.depth_end() < depth)
       for (const auto& line : frustum.slice(view.depth_end())) slices += path(line, space, fit);
   return fmt::format(
-      R"svg(<clipPath id="drawing"><rect width="720" height="720"/></clipPath><g fill="none" stroke="#fff" clip-path="url(#drawing)"><path class="frustum" d="{}" stroke-width="1.2" opacity="0.8"/><path d="{}" stroke-width="1" opacity="0.5" stroke-dasharray="2 3"/></g>)svg",
+      R"svg(<clipPath id="drawing"><rect width="720" height="720"/></clipPath><g fill="none" stroke="#fff" clip-path="url(#drawing)"><path class="frustum" d="{}" stroke-width="1.2" opacity="0.65"/><path d="{}" stroke-width="1" opacity="0.5" stroke-dasharray="2 3"/></g>)svg",
       edges, slices);
 }
 
@@ -162,8 +162,22 @@ std::string legend(const v1::Plan& plan, const Density& density, unsigned step) 
   for (int i = 0; i < plan.views_size(); ++i)
     if (!hasPlace(plan.views(i))) empty += fmt::format("{}{}", empty.empty() ? "" : ", ", i);
   if (!empty.empty())
-    svg += fmt::format(R"svg(<text x="36" y="24">without samples: view {}</text>)svg", empty);
+    svg += fmt::format(R"svg(<text x="36" y="15">without samples: view {}</text>)svg", empty);
   return svg + "</g>";
+}
+
+// Views whose rectangles have no room for words, above the drawing in their colours.
+std::string unlabelledViews(const v1::Plan& plan, const std::vector<int>& views, bool metres) {
+  constexpr std::size_t kMost = 3;
+  if (views.empty()) return "";
+  std::string svg = R"svg(<text x="36" y="31" font-size="14" fill="#9aa4af">small:)svg";
+  for (std::size_t i = 0; i < std::min(views.size(), kMost); ++i)
+    svg += fmt::format(R"svg( <tspan fill="{}">view {}: {} · {}</tspan>{})svg",
+                       css(image::viewColour(static_cast<std::size_t>(views[i]))), views[i],
+                       mapSize(plan.views(views[i])), texelSize(plan.views(views[i]), metres),
+                       i + 1 < views.size() ? "," : "");
+  if (views.size() > kMost) svg += fmt::format(" and {} more", views.size() - kMost);
+  return svg + "</text>";
 }
 
 }  // namespace
@@ -221,9 +235,14 @@ std::string planPicture(const client::MethodRendering& rendering, const v1::View
   }
   svg += drawFrustum(frustum, depth, plan, *space, fit);
   const auto labels = placeLabels(wishes);
-  for (std::size_t i = 0; i < labels.size(); ++i)
+  std::vector<int> unlabelled;
+  for (std::size_t i = 0; i < labels.size(); ++i) {
     if (labels[i])
       svg += labelText(*labels[i], css(image::viewColour(static_cast<std::size_t>(outlines[i].view))));
+    else
+      unlabelled.push_back(outlines[i].view);
+  }
+  svg += unlabelledViews(plan, unlabelled, metres);
   return svg + scaleBar(fit, metres) + legend(plan, density, step) + "</svg>\n";
 }
 

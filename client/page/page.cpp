@@ -119,9 +119,9 @@ std::vector<image::OutputFile> comparisonFiles(const std::filesystem::path& fold
     files.push_back({folder / (name + "-error.png"),
                      image::encodePng(image::errorOverlay(colour, visibility, reference))});
     files.push_back({folder / (name + "-plan.svg"), plan});
-    std::string views = dataUri(
-        "image/svg+xml", planNote(rendering.plan.views().empty() ? "this method needs no shadow map: no views"
-                                                                 : "one view answers all that faces the light"));
+    std::string views = dataUri("image/svg+xml", planNote(rendering.plan.views().empty()
+                                                              ? "this method needs no shadow map: no views"
+                                                              : "one view answers all that faces the light"));
     if (rendering.plan.views_size() > 1) {
       const image::Picture tint = image::viewTint(colour, *rendering.find(v1::VIEW));
       files.push_back({folder / (name + "-views.png"), image::encodePng(tint)});

@@ -3,7 +3,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <numeric>
+#include <utility>
 
 #include "page/units.h"
 
@@ -95,7 +97,7 @@ std::vector<std::optional<Label>> placeLabels(const std::vector<LabelWish>& wish
   // Small rooms have the least choice.
   std::vector<std::size_t> order(wishes.size());
   std::iota(order.begin(), order.end(), 0);
-  std::ranges::stable_sort(order, {}, [&](std::size_t i) { return area(wishes[i].room); });
+  std::ranges::sort(order, {}, [&](std::size_t i) { return std::pair(area(wishes[i].room), i); });
   std::vector<std::optional<Label>> labels(wishes.size());
   std::vector<Box> taken, smaller;
   for (const std::size_t i : order) {

@@ -206,14 +206,15 @@ TEST(PlanPicture, LabelsResolutionsAndNotesTheirAbsence) {
   EXPECT_NE(page::planPicture(rendering, camera(), point).find("no one plane"), std::string::npos);
 }
 
-// Of three samples at one place: seen by a view, facing away from the light, and lit because no map holds it.
+// Of four samples at one place: seen by a view, two that face away from the light, and lit because no map
+// holds it.
 TEST(PlanPicture, LeavesOutSamplesThatFaceAwayFromTheLight) {
   client::MethodRendering rendering;
   *rendering.plan.add_views() = viewFromAbove();
-  rendering.images = {{v1::COLOUR, 3, 1, std::string(12, '\xff')},
-                      floats(v1::POSITION, 3, 1, {3, 0, 1, 3, 0, 1, 3, 0, 1}),
-                      floats(v1::VISIBILITY, 3, 1, {0, 0, 1}),
-                      {v1::VIEW, 3, 1, bytesOf({0, kNoView, kNoView})}};
+  rendering.images = {{v1::COLOUR, 4, 1, std::string(16, '\xff')},
+                      floats(v1::POSITION, 4, 1, {3, 0, 1, 3, 0, 1, 3, 0, 1, 3, 0, 1}),
+                      floats(v1::VISIBILITY, 4, 1, {0, 0, 0, 1}),
+                      {v1::VIEW, 4, 1, bytesOf({0, kNoView, kNoView, kNoView})}};
   EXPECT_NE(page::planPicture(rendering, camera(), sun()).find(">2</text>"), std::string::npos);
 }
 

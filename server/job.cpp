@@ -64,8 +64,12 @@ std::vector<PlanView> planViews(const shared::Plan& plan, const glm::dvec3& orig
   glm::dmat4 relativeFromWorld(1);
   relativeFromWorld[3] = glm::dvec4(-origin, 1);
   std::vector<PlanView> views;
-  for (std::uint32_t v = 0; v < plan.viewCount; ++v)
-    views.push_back({glm::dmat4(plan.views[v].shadowFromWorld) * relativeFromWorld, plan.views[v]});
+  for (std::uint32_t v = 0; v < plan.viewCount; ++v) {
+    const shared::ShadowView& gpu = plan.views[v];
+    views.push_back({glm::dmat4(gpu.shadowFromWorld) * relativeFromWorld, gpu, std::nullopt});
+    if (plan.tilesPerSide > 0)
+      views.back().tile = glm::uvec2(gpu.tile % plan.tilesPerSide, gpu.tile / plan.tilesPerSide);
+  }
   return views;
 }
 

@@ -73,6 +73,7 @@ struct PassTiming {
 struct PlanView {
   glm::dmat4 shadowFromWorld{1};
   shared::ShadowView gpu;
+  std::optional<glm::uvec2> tile;  // column, row from the least x and y of light space; partition=tiles
 };
 
 struct MethodResult {

@@ -57,7 +57,9 @@ TEST(BenchJson, HasTheContractsNamesAndTypes) {
                       .ratio = Quartiles{1, 2, 3},
                       .measures = Measures{},
                       .passes = {{"store", {1, 2, 3}, {{"vertices", 3}}}},
-                      .plan = {PlanView{}}};
+                      .plan = {PlanView{.gpu = {}, .tile = glm::uvec2(2, 1)}, PlanView{.gpu = {}}}};
+  result.plan[0].gpu.linearOffset = 64;
+  result.plan[1].gpu.depthEnd = 8;
   for (const LightKind kind : {LightKind::directional, LightKind::spot, LightKind::point}) {
     job.light.kind = kind;
     const std::string line = toJson({"builtin:grid", "sm,texels=2048", {"device", "driver"}, job}, result);
@@ -76,7 +78,12 @@ TEST(BenchJson, HasTheContractsNamesAndTypes) {
     EXPECT_EQ(first.baseline(), "sm,texels=2048");
     EXPECT_EQ(second.method(), "dv");
     EXPECT_EQ(second.ratio_to_baseline(), 2);
-    EXPECT_EQ(second.plan().views_size(), 1);
+    ASSERT_EQ(second.plan().views_size(), 2);
+    EXPECT_EQ(second.plan().views(0).tile(0), 2u);
+    EXPECT_EQ(second.plan().views(0).tile(1), 1u);
+    EXPECT_EQ(second.plan().views(0).linear_offset(), 64u);
+    EXPECT_EQ(second.plan().views(1).tile_size(), 0);
+    EXPECT_EQ(second.plan().views(1).depth_end(), 8);
     EXPECT_EQ(second.passes(0).work().at("vertices"), 3);
   }
 }

@@ -109,6 +109,21 @@ TEST_F(CompareTest, FolderIsCompleteAndThePageSelfContained) {
   EXPECT_EQ(rest.find("http"), std::string::npos);
 }
 
+TEST_F(CompareTest, MethodsOfSeveralViewsShowWhichAnsweredInTheColoursOfThePlan) {
+  const fs::path out = folder.path() / "out";
+  ASSERT_EQ(compare({"--method", "csm,texels=64", "-o", out.string()}).status, 0);
+  EXPECT_TRUE(fs::exists(out / "csm-texels-64-views.png"));
+  EXPECT_FALSE(fs::exists(out / "sm-texels-64-views.png"));
+  const std::string plan = contents((out / "csm-texels-64-plan.svg").string());
+  const std::string page = contents((out / "index.html").string());
+  for (const char* colour : {"#56b4e9", "#f0e442"}) {
+    EXPECT_NE(plan.find(colour), std::string::npos) << colour;
+    EXPECT_NE(page.find(colour), std::string::npos) << colour;
+  }
+  EXPECT_NE(page.find("<td>10.0–20.0 m</td>"), std::string::npos);
+  EXPECT_NE(plan.find("depths 10.0–20.0 m"), std::string::npos);
+}
+
 TEST_F(CompareTest, TheSameRequestWritesTheSamePage) {
   ASSERT_EQ(compare({"-o", (folder.path() / "a").string()}).status, 0);
   ASSERT_EQ(compare({"-o", (folder.path() / "b").string()}).status, 0);

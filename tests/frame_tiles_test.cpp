@@ -41,7 +41,8 @@ TEST_F(FrameTiles, LieOneAfterAnotherInTheOrderOfTheirSizes) {
     EXPECT_EQ(tiles.size(), r.plan.size());
     EXPECT_EQ(*tiles.rbegin(), r.plan.size() - 1);
     EXPECT_EQ(r.result.storeBytes, 4u * offset);
-    EXPECT_TRUE(std::ranges::is_sorted(r.plan, std::greater(), [](const PlanView& v) { return v.gpu.importance; }));
+    EXPECT_TRUE(
+        std::ranges::is_sorted(r.plan, std::greater(), [](const PlanView& v) { return v.gpu.importance; }));
   }
 }
 
@@ -68,8 +69,8 @@ TEST_F(FrameTiles, ASampleIsAnsweredByTheTileThatItLiesIn) {
 TEST_F(FrameTiles, ImportanceIsTheSumOfItsSamples) {
   const auto scene = builtin("trees?count=40");
   const View view = viewOf(*scene, "walk");
-  const Rendering r = render(scene, view, lightOf(*scene, "sun"), kSize,
-                             "iasm,importance_gain=10,importance_range=20");
+  const Rendering r =
+      render(scene, view, lightOf(*scene, "sun"), kSize, "iasm,importance_gain=10,importance_range=20");
   const double unit = std::clamp(std::floor(4e9 / (double(kSize.x) * kSize.y * 11) - 1), 1.0, 256.0);
   std::vector<double> sums(r.plan.size()), counts(r.plan.size());
   for (std::size_t i = 0; i < r.pixels(); ++i) {
@@ -92,12 +93,14 @@ TEST_F(FrameTiles, ListedSizesStayWithTheirTiles) {
                              "iasm,resolution=listed,tile_sizes=8:16:32:64");
   for (std::uint32_t v = 0; v < 4; ++v) {
     EXPECT_EQ(r.plan[v].gpu.tile, v);
+    EXPECT_EQ(r.plan[v].tile, glm::uvec2(v % 2, v / 2));
     EXPECT_EQ(r.plan[v].gpu.rectSize.x, 8u << v);
   }
 }
 
 TEST_F(FrameTiles, EqualTilesAgreeWithOneMapOfTheWhole) {
-  // 4 tiles of 128 are a map of 256 over the same square: the same texels, so the same answers but on borders.
+  // 4 tiles of 128 are a map of 256 over the same square: the same texels, so the same answers but on
+  // borders.
   const auto scene = builtin("atrium");
   const View view = viewOf(*scene, "main");
   const Light light = lightOf(*scene, "sun");
@@ -117,8 +120,10 @@ TEST_F(FrameTiles, ALinearBufferHoldsWhatAnImageHolds) {
       const Rendering linear =
           render(scene, view, lightOf(*scene, light), kSize, fmt::format("{},storage=linear", method));
       EXPECT_EQ(linear.result.storeBytes, image.result.storeBytes);
+      EXPECT_FALSE(image.plan[0].tile);
       std::size_t different = 0;
-      for (std::size_t i = 0; i < image.pixels(); ++i) different += image.visibility(i) != linear.visibility(i);
+      for (std::size_t i = 0; i < image.pixels(); ++i)
+        different += image.visibility(i) != linear.visibility(i);
       // Depths may differ in their last bit.
       EXPECT_LE(different, image.pixels() / 10'000) << method << " " << light;
     }

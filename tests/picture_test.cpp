@@ -9,9 +9,12 @@
 #include <set>
 
 #include "image/overlay.h"
+#include "image/view_colour.h"
+#include "image/view_tint.h"
 #include "page/base64.h"
 #include "page/chart.h"
 #include "page/light_space.h"
+#include "page/plan_labels.h"
 #include "page/plan_picture.h"
 #include "page/units.h"
 
@@ -172,16 +175,139 @@ TEST(LightSpace, MeasuresASpotByTangents) {
   EXPECT_NEAR(glm::distance((*space->outline(view))[0], (*space->outline(view))[1]), 2, 1e-9);
 }
 
+// From above and aside.
+v1::View camera() {
+  v1::View view;
+  view.mutable_eye()->set_y(10);
+  view.mutable_target()->set_x(10);
+  view.set_vertical_fov_degrees(40);
+  return view;
+}
+
+std::string bytesOf(std::initializer_list<std::uint32_t> values) {
+  std::string bytes(values.size() * 4, '\0');
+  std::memcpy(bytes.data(), std::data(values), bytes.size());
+  return bytes;
+}
+
+constexpr std::uint32_t kNoView = 0xffffffff;
+
 TEST(PlanPicture, LabelsResolutionsAndNotesTheirAbsence) {
   client::MethodRendering rendering;
-  EXPECT_NE(page::planPicture(rendering, sun()).find("no plan"), std::string::npos);
+  EXPECT_NE(page::planPicture(rendering, camera(), sun()).find("no plan"), std::string::npos);
   *rendering.plan.add_views() = viewFromAbove();
-  rendering.images.push_back({v1::COLOUR, 2, 1, std::string(8, '\xff')});
-  rendering.images.push_back(floats(v1::POSITION, 2, 1, {1, 2, 3, 4, 5, 6}));
-  EXPECT_NE(page::planPicture(rendering, sun()).find("512×256 texels of 39.1 mm"), std::string::npos);
+  rendering.plan.mutable_views(0)->set_depth_end(8);
+  const std::string svg = page::planPicture(rendering, camera(), sun());
+  for (const char* text : {">512×256<", ">view 0 · 39.1 mm<", ">0–8.00 m<", "class=\"frustum\""})
+    EXPECT_NE(svg.find(text), std::string::npos) << text;
+  EXPECT_EQ(svg.find("nan"), std::string::npos);
   v1::Light point;
   point.mutable_point();
-  EXPECT_NE(page::planPicture(rendering, point).find("no one plane"), std::string::npos);
+  EXPECT_NE(page::planPicture(rendering, camera(), point).find("no one plane"), std::string::npos);
+}
+
+// Of four samples at one place: seen by a view, two that face away from the light, and lit because no map
+// holds it.
+TEST(PlanPicture, LeavesOutSamplesThatFaceAwayFromTheLight) {
+  client::MethodRendering rendering;
+  *rendering.plan.add_views() = viewFromAbove();
+  rendering.images = {{v1::COLOUR, 4, 1, std::string(16, '\xff')},
+                      floats(v1::POSITION, 4, 1, {3, 0, 1, 3, 0, 1, 3, 0, 1, 3, 0, 1}),
+                      floats(v1::VISIBILITY, 4, 1, {0, 0, 0, 1}),
+                      {v1::VIEW, 4, 1, bytesOf({0, kNoView, kNoView, kNoView})}};
+  EXPECT_NE(page::planPicture(rendering, camera(), sun()).find(">2</text>"), std::string::npos);
+}
+
+TEST(PlanPicture, DashesEmptyTilesAndLeavesOutEmptyPartitionsThatHaveNoPlace) {
+  client::MethodRendering rendering;
+  for (int i = 0; i < 3; ++i) *rendering.plan.add_views() = viewFromAbove();
+  rendering.plan.mutable_views(1)->set_empty(true);
+  rendering.plan.mutable_views(1)->add_tile(0);
+  rendering.plan.mutable_views(1)->add_tile(1);
+  rendering.plan.mutable_views(2)->set_empty(true);
+  const std::string svg = page::planPicture(rendering, camera(), sun());
+  EXPECT_NE(svg.find("stroke-dasharray=\"5 5\""), std::string::npos);
+  EXPECT_NE(svg.find("view 1 · empty"), std::string::npos);
+  EXPECT_EQ(svg.find("view 2 ·"), std::string::npos);
+  EXPECT_NE(svg.find("without samples: view 2<"), std::string::npos);
+}
+
+bool overlap(const page::Box& a, const page::Box& b) {
+  return glm::all(glm::lessThan(a.least, b.most - 0.01)) && glm::all(glm::lessThan(b.least, a.most - 0.01));
+}
+
+void expectApart(const std::vector<page::LabelWish>& wishes) {
+  const auto labels = page::placeLabels(wishes);
+  for (std::size_t i = 0; i < labels.size(); ++i) {
+    ASSERT_TRUE(labels[i]) << i;
+    EXPECT_TRUE(glm::all(glm::greaterThanEqual(labels[i]->box.least, wishes[i].room.least - 0.01))) << i;
+    EXPECT_TRUE(glm::all(glm::lessThanEqual(labels[i]->box.most, wishes[i].room.most + 0.01))) << i;
+    // Room for the letters, by a width that usual fonts keep to.
+    for (std::size_t line = 0; line < labels[i]->lines.size(); ++line)
+      EXPECT_GE(labels[i]->box.size().x, 0.57 * (line == 0 ? 1 : page::kSmallerFont) * labels[i]->fontSize *
+                                             static_cast<double>(labels[i]->lines[line].size()))
+          << i;
+    for (std::size_t j = 0; j < i; ++j)
+      EXPECT_FALSE(overlap(labels[i]->box, labels[j]->box)) << i << ' ' << j;
+  }
+}
+
+TEST(PlanLabels, KeepToTheirTilesOfFourByFour) {
+  std::vector<page::LabelWish> wishes;
+  for (int i = 0; i < 16; ++i) {
+    const glm::dvec2 corner = 36.0 + 162.0 * glm::dvec2(i % 4, i / 4);
+    wishes.push_back({{corner, corner + 162.0}, {"1024", fmt::format("view {}: 39.3 cm", i)}});
+  }
+  expectApart(wishes);
+  for (const auto& label : page::placeLabels(wishes)) EXPECT_EQ(label->lines.size(), 2u);
+}
+
+TEST(PlanLabels, OfCascadesInsideOfEachOtherKeepApart) {
+  std::vector<page::LabelWish> wishes;
+  for (const double side : {60., 150., 340., 640.})
+    wishes.push_back({{glm::dvec2(36), glm::dvec2(36 + side)}, {"1024", "view 0: 39.3 cm", "1.00-2.00 m"}});
+  expectApart(wishes);
+}
+
+TEST(PlanLabels, AreDroppedWhereTheyDontFit) {
+  EXPECT_FALSE(page::placeLabels({{{glm::dvec2(0), glm::dvec2(20)}, {"1024", "view 0"}}})[0]);
+}
+
+TEST(ViewTint, HasTheColoursOfThePlanOnWhite) {
+  const client::Image colour{v1::COLOUR, 3, 1, std::string(12, '\xff')};
+  const image::Picture tint = image::viewTint(colour, {v1::VIEW, 3, 1, bytesOf({0, 9, kNoView})});
+  EXPECT_TRUE(same(pixel(tint, 0), image::viewColour(0)));
+  EXPECT_TRUE(same(pixel(tint, 1), image::viewColour(9)));
+  const image::Rgb none = pixel(tint, 2);
+  EXPECT_TRUE(none.r == none.g && none.g == none.b);
+}
+
+// View 0 answers in a strip that is too thin for its number, view 7 in the rest.
+TEST(ViewTint, WritesNumbersWhereTheyFit) {
+  const unsigned side = 64;
+  std::string views;
+  for (unsigned i = 0; i < side * side; ++i) views += bytesOf({i % side < 4 ? 0u : 7u});
+  const image::Picture tint = image::viewTint({v1::COLOUR, side, side, std::string(4 * side * side, '\x7f')},
+                                              {v1::VIEW, side, side, views});
+  unsigned inStrip = 0, inRest = 0;
+  for (unsigned i = 0; i < side * side; ++i)
+    if (same(pixel(tint, i), {255, 255, 255})) ++(i % side < 4 ? inStrip : inRest);
+  EXPECT_EQ(inStrip, 0u);
+  EXPECT_EQ(inRest, 4u * 11);  // a 7 has eleven dots, of 2 x 2 pixels
+}
+
+// As readers without receptors for red or for green see them: both become one mixture of the two [Vienot,
+// Brettel and Mollon 1999].
+TEST(ViewColour, FirstFourDifferForAnyColourVision) {
+  for (const glm::dvec3& mixture : {glm::dvec3(0.11238, 0.88762, 0), glm::dvec3(0.29275, 0.70725, 0)}) {
+    const auto seen = [&](std::size_t view) {
+      const image::Rgb c = image::viewColour(view);
+      const glm::dvec3 linear = glm::pow(glm::dvec3(c.r, c.g, c.b) / 255.0, glm::dvec3(2.2));
+      return glm::pow(glm::dvec2(glm::dot(mixture, linear), linear.b), glm::dvec2(1 / 2.2));
+    };
+    for (std::size_t a = 0; a < 4; ++a)
+      for (std::size_t b = 0; b < a; ++b) EXPECT_GT(glm::distance(seen(a), seen(b)), 0.2) << a << ' ' << b;
+  }
 }
 
 TEST(Units, SayWhatTheyMean) {

@@ -77,6 +77,11 @@ TEST_F(ServiceTest, PlanAndResultsAreToldWhole) {
   EXPECT_EQ(view.texel_size(), 0.5);
   EXPECT_EQ(view.near(), 1);
   EXPECT_EQ(view.far(), 9);
+  EXPECT_EQ(view.depth_begin(), 2);
+  EXPECT_EQ(view.depth_end(), 5);
+  EXPECT_EQ(view.linear_offset(), 6u);
+  EXPECT_EQ(std::vector<std::uint32_t>(view.tile().begin(), view.tile().end()),
+            (std::vector<std::uint32_t>{7, 8}));
   const v1::Result& result = stream.events[5].timings().result();
   EXPECT_EQ(result.method(), "sm");
   EXPECT_EQ(result.parameters().at("texels"), "512");

@@ -140,7 +140,7 @@ std::string SyntheticScene::image(const v1::MethodChoice& method, v1::Aov aov) c
         append<std::uint32_t>(bytes, {s.hit ? 3 : kNone, s.hit ? 16777217u : kNone});
         break;
       case v1::VIEW:
-        append<std::uint32_t>(bytes, {s.hit && !isTraced(method) ? 0 : kNone});
+        append<std::uint32_t>(bytes, {s.hit && !isTraced(method) ? viewOf(method, s) : kNone});
         break;
       default:
         break;
@@ -149,20 +149,30 @@ std::string SyntheticScene::image(const v1::MethodChoice& method, v1::Aov aov) c
   return bytes;
 }
 
+std::uint32_t SyntheticScene::viewOf(const v1::MethodChoice& method, const Sample& sample) const {
+  return method.name() == "csm" && sample.z < 0 ? 1 : 0;
+}
+
 v1::Plan SyntheticScene::plan(const v1::MethodChoice& method) const {
   v1::Plan plan;
   if (isTraced(method)) return plan;
-  v1::PlanView& view = *plan.add_views();
   const double half = texelSize(method) * texelsOf(method) / 2;
-  // Seen along the sun: x' = x + y kSunX, z' = z + y kSunZ are constant along a ray of light.
-  for (const double value : {1 / half, kSunX / half, 0.0, 0.0, 0.0, kSunZ / half, 1 / half, 0.0, 0.0, 0.05,
-                             0.0, 0.5, 0.0, 0.0, 0.0, 1.0})
-    view.add_shadow_from_world(value);
   const auto texels = static_cast<std::uint32_t>(texelsOf(method));
-  for (const std::uint32_t value : {0u, 0u, texels, texels}) view.add_rect(value);
-  view.set_near(-10);
-  view.set_far(10);
-  view.set_texel_size(texelSize(method));
+  for (std::uint32_t v = 0; v < (method.name() == "csm" ? 2u : 1u); ++v) {
+    v1::PlanView& view = *plan.add_views();
+    // Seen along the sun: x' = x + y kSunX, z' = z + y kSunZ are constant along a ray of light.
+    for (const double value : {1 / half, kSunX / half, 0.0, 0.0, 0.0, kSunZ / half, 1 / half, 0.0, 0.0, 0.05,
+                               0.0, 0.5, 0.0, 0.0, 0.0, 1.0})
+      view.add_shadow_from_world(value);
+    for (const std::uint32_t value : {v * texels, 0u, texels, texels}) view.add_rect(value);
+    view.set_near(-10);
+    view.set_far(10);
+    view.set_texel_size(texelSize(method));
+    if (method.name() == "csm") {
+      view.set_depth_begin(10 * v);
+      view.set_depth_end(10 * (v + 1));
+    }
+  }
   return plan;
 }
 

@@ -17,7 +17,7 @@ class SyntheticScene {
   explicit SyntheticScene(const v1::RenderRequest&);
 
   std::string image(const v1::MethodChoice&, v1::Aov) const;  // bytes as the contract lays them out
-  v1::Plan plan(const v1::MethodChoice&) const;               // one view; none for "ray-traced"
+  v1::Plan plan(const v1::MethodChoice&) const;  // one view; two for "csm", none for "ray-traced"
   v1::Result result(const v1::MethodChoice&) const;
 
  private:
@@ -26,6 +26,7 @@ class SyntheticScene {
     bool hit = false;     // the plane is seen here, within 20 m
     bool lit = false;     // by the reference
   };
+  std::uint32_t viewOf(const v1::MethodChoice&, const Sample&) const;
   bool visible(const v1::MethodChoice&, const Sample&) const;
 
   v1::RenderRequest request_;

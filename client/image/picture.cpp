@@ -4,6 +4,8 @@
 #include <cmath>
 #include <cstring>
 
+#include "image/view_colour.h"
+
 namespace sundial::image {
 namespace {
 
@@ -69,7 +71,7 @@ Picture toPicture(const client::Image& image) {
     }
     case v1::VIEW:
       for (const std::uint32_t view : numbersOf<std::uint32_t>(image))
-        put(picture, view == kNone ? Rgb{0, 0, 0} : kOkabeIto[view % kOkabeItoCount]);
+        put(picture, view == kNone ? Rgb{0, 0, 0} : viewColour(view));
       break;
     default:
       break;

@@ -7,11 +7,13 @@
 
 #include "image/encode.h"
 #include "image/overlay.h"
+#include "image/view_tint.h"
 #include "page/base64.h"
 #include "page/chart.h"
 #include "page/mark.h"
 #include "page/page_assets.h"
 #include "page/plan_picture.h"
+#include "page/plan_table.h"
 #include "page/sections.h"
 #include "page/units.h"
 
@@ -77,11 +79,11 @@ std::string document(const Comparison& comparison, const Page& page, const std::
       "<main data-layer=\"error\">\n<nav aria-label=\"What the pictures show\">"
       "<button data-show=\"colour\">Picture</button><button data-show=\"visibility\">Visibility</button>"
       "<button data-show=\"error\" aria-pressed=\"true\">Errors</button><button "
-      "data-show=\"plan\">Plan</button>"
+      "data-show=\"plan\">Plan</button><button data-show=\"views\">Views</button>"
       "<button data-show=\"reference\">Reference</button>"
       "<span class=\"legend\"><span><i style=\"background:{}\"></i>false lit: should be in shadow</span>"
       "<span><i style=\"background:{}\"></i>false shadow: should be lit</span></span></nav>\n"
-      "<p class=\"hint\">Keys 1–5 choose. Hold the space bar to flick to the reference. The wheel zooms all "
+      "<p class=\"hint\">Keys 1–6 choose. Hold the space bar to flick to the reference. The wheel zooms all "
       "pictures together, dragging moves them, a double click resets. A faint halo of one pixel surrounds "
       "each wrong "
       "pixel, so that single ones can be seen.</p>\n<div class=\"cards\" style=\"--columns:{}\">\n{}</div>\n",
@@ -90,6 +92,8 @@ std::string document(const Comparison& comparison, const Page& page, const std::
   if (!comparison.credit.empty())
     html += fmt::format("<p class=\"credit\">{}</p>\n", escaped(comparison.credit));
   html += "<section><h2>Numbers</h2>\n" + numbersTable(comparison) + definitions() + "</section>\n";
+  if (const std::string tables = planTables(comparison); !tables.empty())
+    html += "<section><h2>Shadow views</h2>\n" + tables + "</section>\n";
   html += "<section><h2>Error against time</h2>\n<div class=\"figure\">" + chart + "</div></section>\n";
   html += "<section><h2>Time of every pass</h2>\n" + passBars(comparison) + "</section>\n";
   return html + fmt::format("<script>{}</script>\n</body></html>\n", kPageScript);
@@ -109,12 +113,20 @@ std::vector<image::OutputFile> comparisonFiles(const std::filesystem::path& fold
     const std::string name = fileName(comparison.labels[i], taken);
     const image::Picture shaded = image::toPicture(colour);
     const std::string visibilityPng = image::encodePng(image::toPicture(visibility));
-    const std::string plan = planPicture(rendering, comparison.report.light());
+    const std::string plan = planPicture(rendering, comparison.report.view(), comparison.report.light());
     files.push_back({folder / (name + ".png"), image::encodePng(shaded)});
     files.push_back({folder / (name + "-visibility.png"), visibilityPng});
     files.push_back({folder / (name + "-error.png"),
                      image::encodePng(image::errorOverlay(colour, visibility, reference))});
     files.push_back({folder / (name + "-plan.svg"), plan});
+    std::string views = dataUri("image/svg+xml", planNote(rendering.plan.views().empty()
+                                                              ? "this method needs no shadow map: no views"
+                                                              : "one view answers all that faces the light"));
+    if (rendering.plan.views_size() > 1) {
+      const image::Picture tint = image::viewTint(colour, *rendering.find(v1::VIEW));
+      files.push_back({folder / (name + "-views.png"), image::encodePng(tint)});
+      views = dataUri("image/jpeg", image::encodeJpeg(tint, kPageJpegQuality));
+    }
     if (i == 0) {
       files.push_back({folder / "reference.png", image::encodePng(image::toPicture(reference))});
       page.reference = dataUri("image/png", files.back().bytes);
@@ -133,6 +145,7 @@ std::vector<image::OutputFile> comparisonFiles(const std::filesystem::path& fold
         layer("error", dataUri("image/png", image::encodePng(image::errorLayer(visibility, reference))),
               "wrong pixels");
     page.cards += layer("plan", dataUri("image/svg+xml", plan), "plan over light space");
+    page.cards += layer("views", views, "which shadow view answered");
     page.cards += "<img class=\"on-reference\" alt=\"reference\"></div></div></figure>\n";
   }
   const std::string chart = errorChartOf(comparison);

@@ -8,7 +8,7 @@ const show = name => {
 for (const b of buttons) b.onclick = () => show(b.dataset.show);
 for (const image of document.querySelectorAll('.on-reference')) image.src = document.getElementById('reference').src;
 
-// Keys: 1 to 5 choose, holding the space bar flicks to the reference.
+// Keys: 1 to 6 choose, holding the space bar flicks to the reference.
 let before = null;
 addEventListener('keydown', e => {
   if (e.ctrlKey || e.metaKey || e.altKey) return;

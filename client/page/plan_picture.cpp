@@ -6,23 +6,25 @@
 #include <cmath>
 
 #include "image/encode.h"
+#include "image/view_colour.h"
 #include "page/base64.h"
+#include "page/density.h"
+#include "page/frustum.h"
 #include "page/light_space.h"
-#include "page/mark.h"
+#include "page/plan_labels.h"
+#include "page/plan_text.h"
 #include "page/units.h"
 
 namespace sundial::page {
 namespace {
 
-constexpr double kSide = 720, kMargin = 36;  // pixels
-constexpr int kMostLabels = 20;
+constexpr double kSide = 720, kMargin = 36;  // pixels, of the drawing; its legend is below
+constexpr unsigned kMostGridLines = 16;      // across the largest map
 constexpr const char* kOpen =
-    R"svg(<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 720 720" font-family="system-ui,sans-serif"><rect width="720" height="720" fill="#14171b"/>)svg";
+    R"svg(<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 720 768" font-family="system-ui,sans-serif"><rect width="720" height="768" fill="#14171b"/>)svg";
 
-std::string note(std::string_view text) {
-  return fmt::format(
-      R"svg({}<text x="360" y="360" text-anchor="middle" font-size="20" fill="#9aa4af">{}</text></svg>)svg",
-      kOpen, escaped(text));
+std::string css(image::Rgb colour) {
+  return fmt::format("#{:02x}{:02x}{:02x}", colour.r, colour.g, colour.b);
 }
 
 // From light space to the drawing: one scale, centred.
@@ -38,67 +40,107 @@ struct Fit {
   glm::dvec2 at(glm::dvec2 point) const { return kSide / 2 + (point - 0.5 * (least + most)) * scale(); }
 };
 
-std::vector<glm::dvec2> samplesOf(const client::MethodRendering& rendering, const LightSpace& space) {
-  std::vector<glm::dvec2> samples;
+// The world's points that were seen and face the light: elsewhere nobody asks a shadow map.
+std::vector<glm::dvec3> samplesOf(const client::MethodRendering& rendering) {
+  std::vector<glm::dvec3> samples;
   const client::Image* colour = rendering.find(v1::COLOUR);
   const client::Image* position = rendering.find(v1::POSITION);
-  if (!colour || !position) return samples;
-  const auto xyz = image::numbersOf<float>(*position);
-  for (std::size_t i = 0; 3 * i + 2 < xyz.size(); ++i) {
+  const client::Image* visibility = rendering.find(v1::VISIBILITY);
+  const client::Image* view = rendering.find(v1::VIEW);
+  if (!colour || !position || !visibility || !view) return samples;
+  constexpr std::uint32_t kNone = 0xffffffff;
+  const auto xyz = image::numbersOf<float>(*position), lit = image::numbersOf<float>(*visibility);
+  const auto views = image::numbersOf<std::uint32_t>(*view);
+  for (std::size_t i = 0; i < views.size(); ++i) {
     if (colour->bytes[4 * i + 3] == 0) continue;  // no geometry
-    if (const auto point = space.project({xyz[3 * i], xyz[3 * i + 1], xyz[3 * i + 2]}))
-      samples.push_back(*point);
+    // What faces the light and lies in no map counts as lit.
+    if (views[i] == kNone && lit[i] == 0) continue;
+    samples.emplace_back(xyz[3 * i], xyz[3 * i + 1], xyz[3 * i + 2]);
   }
   return samples;
 }
 
-// Brightness is the logarithm of the number of samples.
-image::Picture density(const std::vector<glm::dvec2>& samples, const Fit& fit, unsigned cells) {
-  std::vector<unsigned> counts(std::size_t{cells} * cells);
-  unsigned most = 1;
-  for (const glm::dvec2 sample : samples) {
-    const glm::uvec2 cell(glm::clamp(fit.at(sample) / kSide * static_cast<double>(cells), 0.0, cells - 1.0));
-    most = std::max(most, ++counts[std::size_t{cell.y} * cells + cell.x]);
+// A line of the world; what of it has no image, behind a spot, is left out.
+std::string path(const Frustum::Line& line, const LightSpace& space, const Fit& fit) {
+  constexpr int kSteps = 64;
+  constexpr double kFar = 1e5;  // pixels
+  std::string data;
+  bool drawing = false;
+  for (int step = 0; step <= kSteps; ++step) {
+    const auto point = space.project(glm::mix(line.first, line.second, step / double{kSteps}));
+    const glm::dvec2 at = point ? fit.at(*point) : glm::dvec2(HUGE_VAL);
+    const bool shown = std::abs(at.x) < kFar && std::abs(at.y) < kFar;
+    if (shown) data += fmt::format("{}{:.1f},{:.1f}", drawing ? 'L' : 'M', at.x, at.y);
+    drawing = shown;
   }
-  image::Picture picture{cells, cells, 3, {}};
-  for (const unsigned count : counts) {
-    const double level = count == 0 ? 0 : 0.25 + 0.75 * std::log1p(count) / std::log1p(most);
-    const auto channel = [&](double from, double to) {
-      return static_cast<std::uint8_t>(std::lround(from + (to - from) * level));
-    };
-    picture.pixels.insert(picture.pixels.end(),
-                          {channel(0x14, 0xee), channel(0x17, 0xf0), channel(0x1b, 0xf2)});
-  }
-  return picture;
+  return data;
 }
 
-// A view's outline, a line every eighth of its texels, and what it is.
-std::string drawView(const v1::PlanView& view, int index, const std::vector<glm::dvec2>& corners,
-                     const Fit& fit, bool labelled, bool metres) {
-  std::vector<glm::dvec2> at;
-  for (const glm::dvec2 corner : corners) at.push_back(fit.at(corner));
-  const std::string colour = colourOf(static_cast<std::size_t>(index) + 4);  // sky blue first: light on dark
-  std::string svg = fmt::format(R"svg(<g fill="none" stroke="{}">)svg", colour);
+// The frustum as far as there are samples, cut where partitions end.
+std::string drawFrustum(const Frustum& frustum, double depth, const v1::Plan& plan, const LightSpace& space,
+                        const Fit& fit) {
+  std::string edges, slices;
+  for (const auto& line : frustum.edges(depth)) edges += path(line, space, fit);
+  for (const auto& line : frustum.slice(depth)) edges += path(line, space, fit);
+  for (const v1::PlanView& view : plan.views())
+    if (view.depth_end() > view.depth_begin() && view.depth_end() < depth)
+      for (const auto& line : frustum.slice(view.depth_end())) slices += path(line, space, fit);
+  return fmt::format(
+      R"svg(<clipPath id="drawing"><rect width="720" height="720"/></clipPath><g fill="none" stroke="#fff" clip-path="url(#drawing)"><path class="frustum" d="{}" stroke-width="1.2" opacity="0.65"/><path d="{}" stroke-width="1" opacity="0.5" stroke-dasharray="2 3"/></g>)svg",
+      edges, slices);
+}
+
+struct Outline {
+  int view;
+  std::vector<glm::dvec2> corners;  // in the order of the map's rows and columns, pixels
+};
+
+// Texels from line to line of the grid, the same in all maps so that dense ones look dense.
+unsigned gridStep(const v1::Plan& plan) {
+  unsigned most = 1, step = 1;
+  for (const v1::PlanView& view : plan.views())
+    if (view.rect_size() == 4) most = std::max({most, view.rect(2), view.rect(3)});
+  while (most / step > kMostGridLines) step *= 2;
+  return step;
+}
+
+std::string drawView(const v1::PlanView& view, const Outline& outline, unsigned step, bool metres) {
+  const auto& at = outline.corners;
+  const std::string colour = css(image::viewColour(static_cast<std::size_t>(outline.view)));
   std::string grid;
-  for (int step = 1; step < 8; ++step) {
-    const double t = step / 8.0;
-    const glm::dvec2 top = glm::mix(at[0], at[1], t), bottom = glm::mix(at[3], at[2], t);
-    const glm::dvec2 left = glm::mix(at[0], at[3], t), right = glm::mix(at[1], at[2], t);
-    grid += fmt::format("M{:.1f},{:.1f}L{:.1f},{:.1f}M{:.1f},{:.1f}L{:.1f},{:.1f}", top.x, top.y, bottom.x,
-                        bottom.y, left.x, left.y, right.x, right.y);
+  const auto lines = [&](unsigned texels, int from, int to, int otherFrom, int otherTo) {
+    for (unsigned texel = step; texel < texels; texel += step) {
+      const double t = static_cast<double>(texel) / texels;
+      const glm::dvec2 a = glm::mix(at[from], at[to], t), b = glm::mix(at[otherFrom], at[otherTo], t);
+      grid += fmt::format("M{:.1f},{:.1f}L{:.1f},{:.1f}", a.x, a.y, b.x, b.y);
+    }
+  };
+  if (view.rect_size() == 4 && !view.empty()) {
+    lines(view.rect(2), 0, 1, 3, 2);
+    lines(view.rect(3), 0, 3, 1, 2);
   }
-  svg += fmt::format(R"svg(<path d="{}" stroke-width="0.7" opacity="0.45"/>)svg", grid);
-  svg += fmt::format(
-      R"svg(<path d="M{:.1f},{:.1f}L{:.1f},{:.1f}L{:.1f},{:.1f}L{:.1f},{:.1f}Z" stroke-width="2.5"{}/></g>)svg",
-      at[0].x, at[0].y, at[1].x, at[1].y, at[2].x, at[2].y, at[3].x, at[3].y,
-      view.empty() ? R"( stroke-dasharray="5 5")" : "");
-  if (!labelled || view.rect_size() != 4) return svg;
-  const glm::dvec2 corner = glm::min(glm::min(at[0], at[1]), glm::min(at[2], at[3]));
-  svg += fmt::format(
-      R"svg(<text x="{:.1f}" y="{:.1f}" font-size="17" font-weight="600" fill="{}" stroke="#14171b" stroke-width="4" paint-order="stroke">{}: {}×{} texels of {}{}</text>)svg",
-      corner.x + 8, corner.y + 22, colour, index, view.rect(2), view.rect(3), length(view.texel_size()),
-      metres ? "" : " at 1 m");
-  return svg;
+  std::string title =
+      fmt::format("view {}: {} texels of {}", outline.view, mapSize(view), texelSize(view, metres));
+  if (const std::string depths = depthRange(view); !depths.empty()) title += ", depths " + depths;
+  if (const std::string tile = tilePlace(view); !tile.empty()) title += ", tile in " + tile;
+  if (view.sample_count() > 0) title += fmt::format(", {} samples", view.sample_count());
+  if (view.empty()) title += ", empty";
+  return fmt::format(
+      R"svg(<g class="view" fill="none" stroke="{}"><title>{}</title><path d="{}" stroke-width="0.6" opacity="0.4"/><path d="M{:.1f},{:.1f}L{:.1f},{:.1f}L{:.1f},{:.1f}L{:.1f},{:.1f}Z" stroke-width="{}"{}/></g>)svg",
+      colour, escaped(title), grid, at[0].x, at[0].y, at[1].x, at[1].y, at[2].x, at[2].y, at[3].x, at[3].y,
+      view.empty() ? "1.2" : "2.5", view.empty() ? R"( stroke-dasharray="5 5")" : "");
+}
+
+LabelWish wishOf(const v1::PlanView& view, const Outline& outline, bool metres) {
+  LabelWish wish{{outline.corners[0], outline.corners[0]}, {mapSize(view)}};
+  for (const glm::dvec2 corner : outline.corners) {
+    wish.room.least = glm::min(wish.room.least, corner);
+    wish.room.most = glm::max(wish.room.most, corner);
+  }
+  wish.lines.push_back(
+      fmt::format("view {} · {}", outline.view, view.empty() ? "empty" : texelSize(view, metres)));
+  if (const std::string depths = depthRange(view); !depths.empty()) wish.lines.push_back(depths);
+  return wish;
 }
 
 // A bar of a round length near a quarter of the drawing.
@@ -107,37 +149,101 @@ std::string scaleBar(const Fit& fit, bool metres) {
   const double size = decade * (quarter / decade >= 5 ? 5 : quarter / decade >= 2 ? 2 : 1);
   const double pixels = size * fit.scale();
   return fmt::format(
-      R"svg(<path d="M{0:.1f},696h{1:.1f}m0,-6v12m-{1:.1f},0v-12" stroke="#e8eaed" stroke-width="1.5" fill="none"/><text x="{2:.1f}" y="701" font-size="15" fill="#e8eaed">{3}</text><text x="684" y="701" font-size="15" text-anchor="end" fill="#9aa4af">grid: an eighth of a map's texels</text>)svg",
+      R"svg(<path d="M{0:.1f},732h{1:.1f}m0,-6v12m-{1:.1f},0v-12" stroke="#e8eaed" stroke-width="1.5" fill="none"/><text x="{2:.1f}" y="737" font-size="14" fill="#e8eaed">{3}</text>)svg",
       kMargin, pixels, kMargin + pixels + 8, metres ? length(size) : fmt::format("{:g} m at 1 m", size));
+}
+
+// What the greys and the grid stand for, and which views have no place.
+std::string legend(const v1::Plan& plan, const Density& density, unsigned step) {
+  std::string svg = fmt::format(
+      R"svg(<linearGradient id="density"><stop stop-color="{}"/><stop offset="1" stop-color="{}"/></linearGradient><g font-size="14" fill="#9aa4af"><text x="540" y="737" text-anchor="end">1</text><rect x="546" y="726" width="90" height="12" fill="url(#density)"/><text x="642" y="737">{}</text><text x="36" y="755">white: the camera's frustum; a line every {} texels</text><text x="684" y="755" text-anchor="end">view samples a cell</text>)svg",
+      css(densityGrey(0)), css(densityGrey(1)), std::max(density.most, 1u), step);
+  std::string empty;
+  for (int i = 0; i < plan.views_size(); ++i)
+    if (!hasPlace(plan.views(i))) empty += fmt::format("{}{}", empty.empty() ? "" : ", ", i);
+  if (!empty.empty())
+    svg += fmt::format(R"svg(<text x="36" y="15">without samples: view {}</text>)svg", empty);
+  return svg + "</g>";
+}
+
+// Views whose rectangles have no room for words, above the drawing in their colours.
+std::string unlabelledViews(const v1::Plan& plan, const std::vector<int>& views, bool metres) {
+  constexpr std::size_t kMost = 3;
+  if (views.empty()) return "";
+  std::string svg = R"svg(<text x="36" y="31" font-size="14" fill="#9aa4af">small:)svg";
+  for (std::size_t i = 0; i < std::min(views.size(), kMost); ++i)
+    svg += fmt::format(R"svg( <tspan fill="{}">view {}: {} · {}</tspan>{})svg",
+                       css(image::viewColour(static_cast<std::size_t>(views[i]))), views[i],
+                       mapSize(plan.views(views[i])), texelSize(plan.views(views[i]), metres),
+                       i + 1 < views.size() ? "," : "");
+  if (views.size() > kMost) svg += fmt::format(" and {} more", views.size() - kMost);
+  return svg + "</text>";
 }
 
 }  // namespace
 
-std::string planPicture(const client::MethodRendering& rendering, const v1::Light& light, unsigned cells) {
-  if (rendering.plan.views().empty()) return note("this method needs no shadow map: no plan");
-  const auto space = LightSpace::of(light, rendering.plan);
-  if (!space)
-    return note(fmt::format("a plan of {} views that no one plane shows", rendering.plan.views_size()));
+std::string planNote(std::string_view text) {
+  return fmt::format(
+      R"svg({}<text x="360" y="360" text-anchor="middle" font-size="20" fill="#9aa4af">{}</text></svg>)svg",
+      kOpen, escaped(text));
+}
+
+std::string planPicture(const client::MethodRendering& rendering, const v1::View& view,
+                        const v1::Light& light, unsigned cells) {
+  const v1::Plan& plan = rendering.plan;
+  if (plan.views().empty()) return planNote("this method needs no shadow map: no plan");
+  const auto space = LightSpace::of(light, plan);
+  if (!space) return planNote(fmt::format("a plan of {} views that no one plane shows", plan.views_size()));
 
   Fit fit;
-  std::vector<std::pair<int, std::vector<glm::dvec2>>> outlines;
-  for (int i = 0; i < rendering.plan.views_size(); ++i) {
-    auto outline = space->outline(rendering.plan.views(i));
-    if (!outline) continue;
-    for (const glm::dvec2 corner : *outline) fit.include(corner);
-    outlines.emplace_back(i, std::move(*outline));
+  std::vector<Outline> outlines;
+  for (int i = 0; i < plan.views_size(); ++i) {
+    auto corners = hasPlace(plan.views(i)) ? space->outline(plan.views(i)) : std::nullopt;
+    if (!corners) continue;
+    for (const glm::dvec2 corner : *corners) fit.include(corner);
+    outlines.push_back({i, std::move(*corners)});
   }
-  const auto samples = samplesOf(rendering, *space);
-  for (const glm::dvec2 sample : samples) fit.include(sample);
-  if (outlines.empty()) return note("the plan's views have no place in light space");
+  if (outlines.empty()) return planNote("the plan's views have no place in light space");
+  const auto wsSamples = samplesOf(rendering);
+  const client::Image* colour = rendering.find(v1::COLOUR);
+  const Frustum frustum(view, colour ? static_cast<double>(colour->width) / colour->height : 1);
+  std::vector<glm::dvec2> samples;
+  double depth = 0;
+  for (const glm::dvec3 sample : wsSamples) {
+    depth = std::max(depth, frustum.depthOf(sample));
+    const auto point = space->project(sample);
+    if (!point) continue;
+    fit.include(*point);
+    samples.push_back(*point);
+  }
 
+  // From here on in pixels.
+  std::ranges::for_each(samples, [&](glm::dvec2& sample) { sample = fit.at(sample); });
+  for (Outline& outline : outlines)
+    std::ranges::for_each(outline.corners, [&](glm::dvec2& corner) { corner = fit.at(corner); });
+  const Density density = densityOf(samples, kSide, cells);
+  const unsigned step = gridStep(plan);
+  const bool metres = space->metres();
   std::string svg = kOpen;
   svg += fmt::format(R"svg(<image width="{0}" height="{0}" href="{1}"/>)svg", kSide,
-                     dataUri("image/png", image::encodePng(density(samples, fit, cells))));
-  for (const auto& [index, outline] : outlines)
-    svg += drawView(rendering.plan.views(index), index, outline, fit,
-                    static_cast<int>(outlines.size()) <= kMostLabels, space->metres());
-  return svg + scaleBar(fit, space->metres()) + "</svg>\n";
+                     dataUri("image/png", image::encodePng(density.picture)));
+  std::vector<LabelWish> wishes;
+  for (const Outline& outline : outlines) {
+    const v1::PlanView& shown = plan.views(outline.view);
+    svg += drawView(shown, outline, step, metres);
+    wishes.push_back(wishOf(shown, outline, metres));
+  }
+  svg += drawFrustum(frustum, depth, plan, *space, fit);
+  const auto labels = placeLabels(wishes);
+  std::vector<int> unlabelled;
+  for (std::size_t i = 0; i < labels.size(); ++i) {
+    if (labels[i])
+      svg += labelText(*labels[i], css(image::viewColour(static_cast<std::size_t>(outlines[i].view))));
+    else
+      unlabelled.push_back(outlines[i].view);
+  }
+  svg += unlabelledViews(plan, unlabelled, metres);
+  return svg + scaleBar(fit, metres) + legend(plan, density, step) + "</svg>\n";
 }
 
 }  // namespace sundial::page

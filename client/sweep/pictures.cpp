@@ -57,10 +57,10 @@ std::vector<image::OutputFile> makePictures(const Case& one, const client::Rende
   const client::Image& colour = *method.find(v1::COLOUR);
   const image::Picture error =
       image::errorOverlay(colour, *method.find(v1::VISIBILITY), *method.find(v1::REFERENCE));
-  return {
-      {folder / (one.id + ".jpg"), encodeSmall(shrunk(image::toPicture(colour), false))},
-      {folder / (one.id + "-error.jpg"), encodeSmall(shrunk(error, true))},
-      {folder / (one.id + "-plan.svg"), page::planPicture(method, rendering.accepted.light(), kPlanCells)}};
+  return {{folder / (one.id + ".jpg"), encodeSmall(shrunk(image::toPicture(colour), false))},
+          {folder / (one.id + "-error.jpg"), encodeSmall(shrunk(error, true))},
+          {folder / (one.id + "-plan.svg"),
+           page::planPicture(method, rendering.accepted.view(), rendering.accepted.light(), kPlanCells)}};
 }
 
 v1::SweepImages pictureNames(const std::vector<image::OutputFile>& pictures, const fs::path& results) {

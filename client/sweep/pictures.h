@@ -11,7 +11,8 @@
 namespace sundial::sweep {
 
 // What a request must ask for.
-inline constexpr v1::Aov kPictureImages[] = {v1::COLOUR, v1::VISIBILITY, v1::REFERENCE, v1::POSITION};
+inline constexpr v1::Aov kPictureImages[] = {v1::COLOUR, v1::VISIBILITY, v1::REFERENCE, v1::POSITION,
+                                             v1::VIEW};
 
 // In `folder`, named by the case: the picture, where it is wrong, and its plan. At most 512 pixels wide, and
 // as a rule at most 25 KB each.

@@ -71,7 +71,11 @@ Json json(const PlanView& view) {
           {"texel_size", std::max(gpu.texelSize.x, gpu.texelSize.y)},
           {"sample_count", gpu.sampleCount},
           {"importance", gpu.importance},
-          {"empty", gpu.empty != 0}};
+          {"empty", gpu.empty != 0},
+          {"depth_begin", gpu.depthBegin},
+          {"depth_end", gpu.depthEnd},
+          {"tile", view.tile ? Json{view.tile->x, view.tile->y} : Json::array()},
+          {"linear_offset", gpu.linearOffset}};
 }
 
 template <class T>

@@ -86,6 +86,13 @@ void toProto(const std::vector<PlanView>& in, v1::Plan* out) {
     to->set_sample_count(view.gpu.sampleCount);
     to->set_importance(view.gpu.importance);
     to->set_empty(view.gpu.empty != 0);
+    to->set_depth_begin(view.gpu.depthBegin);
+    to->set_depth_end(view.gpu.depthEnd);
+    if (view.tile) {
+      to->add_tile(view.tile->x);
+      to->add_tile(view.tile->y);
+    }
+    to->set_linear_offset(view.gpu.linearOffset);
   }
 }
 

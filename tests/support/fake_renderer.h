@@ -124,6 +124,10 @@ class FakeRenderer final : public Renderer {
       view.gpu.texelSize = {0.5f, 0.25f};
       view.gpu.nearDistance = 1;
       view.gpu.farDistance = 9;
+      view.gpu.depthBegin = 2;
+      view.gpu.depthEnd = 5;
+      view.gpu.linearOffset = 6;
+      view.tile = glm::uvec2(7, 8);
       sink.onPlan(m, {view});
       for (const Aov aov : job.images) sink.onImage(m, fakeImage(m, aov, job.size));
       MethodResult result{.method = job.methods[m], .frameMs = {1, 2, 3}};

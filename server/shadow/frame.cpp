@@ -63,7 +63,7 @@ Frame::Frame(const FrameView& view, const Method& method)
   const shared::FrameConstants constants = constantsOf(view, method);
   *constants_.mapped<shared::FrameConstants>() = constants;
   if (method.stages) {
-    store_.emplace(view.device, method, constants);
+    store_ = makeStore(view.device, method, constants);
     if (method.settings.plan == PlanTiming::readback) {
       hostPlan_.emplace(view.device, sizeof(shared::Plan), 0, MemoryUse::readback);
       hostCommands_.emplace(view.device,
@@ -90,9 +90,7 @@ void Frame::bindTo(BindingSet& bindings, const ViewTarget& samples) const {
   bindings.set(shared::kBindVisible, visible_);
   bindings.set(shared::kBindCounts, counts_);
   if (store_) return store_->bindTo(bindings);
-  // Without a map these are unread, but see BindingSet.
-  bindings.set(shared::kBindStore, samples.visibility, nearest_);
-  bindings.set(shared::kBindLinear, plan_);
+  bindNoStore(bindings, samples.visibility, nearest_, plan_);
 }
 
 void Frame::look(const FrameView& view) {

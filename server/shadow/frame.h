@@ -6,9 +6,9 @@
 
 #include "reference/reference.h"
 #include "shadow/frame_pipelines.h"
-#include "shadow/frame_store.h"
 #include "shadow/method.h"
 #include "shadow/scene_buffers.h"
+#include "shadow/store.h"
 #include "shadow/view_target.h"
 #include "shared/plan.h"
 
@@ -89,7 +89,7 @@ class Frame {
   std::uint32_t shadowViews_;  // the plan's most
   std::optional<MethodPipelines> pipelines_;  // with a map
   Buffer constants_, analysis_, plan_, commands_, visible_, counts_;
-  std::optional<FrameStore> store_;  // with a map
+  std::unique_ptr<Store> store_;  // with a map
   Sampler nearest_;
   BindingSet bindings_;
   // plan=readback alone: the plan on its way to the host, and what the host leaves of the draws.

@@ -45,7 +45,7 @@ class Frame {
   std::vector<Pass> passes() const;
   // The next frame, from elsewhere or in other light: a view of the same scene, size and target.
   void look(const FrameView&);
-  // The lookup at other samples than the view's, for methods with a map, after the passes up to `store`:
+  // The lookup at other samples than the view's, for methods with a map, after the passes before `resolve`:
   // `points` holds the samples and gets their visibility. `bindings` are bindingsAt(points).
   BindingSet bindingsAt(const ViewTarget& points) const;
   void recordLookup(VkCommandBuffer, const ViewTarget& points, const BindingSet& bindings) const;
@@ -72,6 +72,7 @@ class Frame {
   void readPlan(VkCommandBuffer) const;
   void cullByHost() const;
   void store(VkCommandBuffer) const;
+  void filter(VkCommandBuffer) const;
   void resolve(VkCommandBuffer) const;
   void shade(VkCommandBuffer) const;
   void readSamples(VkCommandBuffer) const;

@@ -2,8 +2,11 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "shadow/depth_store.h"
 #include "shadow/linear_store.h"
+#include "shadow/moment_store.h"
 #include "shadow/plan_settings.h"
 #include "shared/bindings.h"
 
@@ -46,6 +49,15 @@ std::optional<std::string> whyTooLarge(const Method& method, const Device& devic
           4 * texels, most);
     return std::nullopt;
   }
+  if (method.stages->storage == Storage::moments) {
+    const std::uint64_t side = std::max(method.settings.width, method.settings.height);
+    if (side > device.limits().maxImageDimension2D)
+      return fmt::format("a map's side has at most {} texels on this device",
+                         device.limits().maxImageDimension2D);
+    if (!(device.limits().sampledImageDepthSampleCounts & VK_SAMPLE_COUNT_4_BIT))
+      return "storage=moments reads four samples of depth a texel, which this device can't";
+    return std::nullopt;
+  }
   const std::uint64_t columns = mapColumnsOf(method), rows = (views + columns - 1) / columns;
   const unsigned limit = device.limits().maxImageDimension2D;
   if (method.settings.width * columns > limit || method.settings.height * rows > limit)
@@ -54,10 +66,12 @@ std::optional<std::string> whyTooLarge(const Method& method, const Device& devic
   return std::nullopt;
 }
 
-std::unique_ptr<Store> makeStore(const Device& device, const Method& method,
+std::unique_ptr<Store> makeStore(const Device& device, FramePipelines& pipelines, const Method& method,
                                  const shared::FrameConstants& constants) {
   if (method.stages->storage == Storage::linear)
     return std::make_unique<LinearStore>(device, method, constants);
+  if (method.stages->storage == Storage::moments)
+    return std::make_unique<MomentStore>(device, pipelines, method, constants);
   return std::make_unique<DepthStore>(device, method, constants);
 }
 
@@ -77,7 +91,9 @@ void drawMaps(VkCommandBuffer command, const std::vector<VkRect2D>& maps, const 
 }
 
 void bindNoStore(BindingSet& bindings, const GpuImage& unread, VkSampler sampler, const Buffer& unreadToo) {
-  bindings.set(shared::kBindStore, unread, sampler);
+  for (const std::uint32_t binding :
+       {shared::kBindStore, shared::kBindMultisampled, shared::kBindMoments, shared::kBindBlurred})
+    bindings.set(binding, unread, sampler);
   bindings.set(shared::kBindLinear, unreadToo);
 }
 

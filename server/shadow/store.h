@@ -12,6 +12,8 @@
 
 namespace sundial {
 
+class FramePipelines;
+
 // Why this device can't hold the method's maps; nothing if it can, or if the method has none.
 std::optional<std::string> whyTooLarge(const Method&, const Device&);
 
@@ -26,13 +28,17 @@ class Store {
 
   // Clears all maps, and calls `draw` for each view with viewport and scissor set to its map.
   virtual void record(VkCommandBuffer, const DrawView& draw) const = 0;
+  // Makes lookups of drawn maps smoother, in a pass of its own.
+  virtual bool filters() const { return false; }
+  virtual void filter(VkCommandBuffer) const {}
   virtual void bindTo(BindingSet&) const = 0;
   virtual std::uint64_t texels() const = 0;  // of all maps
   virtual std::uint64_t bytes() const = 0;   // of memory
 };
 
 // Of a method with a map; `constants` are settled (plan_settings.h).
-std::unique_ptr<Store> makeStore(const Device&, const Method&, const shared::FrameConstants&);
+std::unique_ptr<Store> makeStore(const Device&, FramePipelines&, const Method&,
+                                 const shared::FrameConstants&);
 
 // Where each view's map lies in an image that holds all, mapColumnsOf() in a row; in a buffer each begins at
 // 0, 0.

@@ -28,6 +28,9 @@ layout(set = 0, binding = kBindPositions) uniform usampler2D samplePositions;
 layout(set = 0, binding = kBindNormals) uniform usampler2D sampleNormals;
 layout(set = 0, binding = kBindStore) uniform sampler2D store;
 layout(set = 0, binding = kBindVisibility) uniform sampler2D visibility;
+layout(set = 0, binding = kBindMultisampled) uniform sampler2DMS multisampled;
+layout(set = 0, binding = kBindMoments) uniform sampler2DArray moments;
+layout(set = 0, binding = kBindBlurred) uniform sampler2DArray blurredAcross;
 
 vec3 vertexPosition(uint vertex) { return uintBitsToFloat(texelFetch(vertexTexels, int(vertex)).xyz); }
 

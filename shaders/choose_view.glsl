@@ -17,13 +17,23 @@ struct Choice {
   float nextWeight;  // 0 where it doesn't
 };
 
-// Whether the view has an answer for a point of light space. A tile's rim belongs to it up to rounding.
-bool covers(uint view, vec4 light) {
+// Whether the view has an answer for a point of light space, at least as far from the map's sides as this.
+bool covers(uint view, vec4 light, vec2 lsRim) {
   if (view >= plan.viewCount || plan.views[view].empty != 0) return false;
-  const vec2 low = plan.views[view].lsMin.xy, high = plan.views[view].lsMax.xy;
-  const vec2 margin = kChoice == kByTile ? 1e-5 * (high - low) : vec2(0);
   const vec2 ls = light.xy / light.w;
-  return light.w > 0 && all(greaterThan(ls, low - margin)) && all(lessThan(ls, high + margin));
+  return light.w > 0 && all(greaterThan(ls, plan.views[view].lsMin.xy + lsRim)) &&
+         all(lessThan(ls, plan.views[view].lsMax.xy - lsRim));
+}
+
+// A tile's rim belongs to it up to rounding.
+bool covers(uint view, vec4 light) {
+  const vec2 size = plan.views[view].lsMax.xy - plan.views[view].lsMin.xy;
+  return covers(view, light, kChoice == kByTile ? -1e-5 * size : vec2(0));
+}
+
+// With all that a lookup looks at.
+bool coversAround(uint view, vec4 light) {
+  return covers(view, light, frame.settings.rimTexels * plan.views[view].texelSize + frame.settings.lsReach);
 }
 
 // The partition of this camera depth: the last takes what lies behind all, the first what lies before.
@@ -41,7 +51,7 @@ uint tightest(vec4 light, uint otherwise) {
   float bestArea = 1e38;
   for (uint view = 0; view < kPlanViews; ++view) {
     const float area = plan.views[view].texelSize.x * plan.views[view].texelSize.y;
-    const bool better = covers(view, light) && light.z >= plan.views[view].lsMin.z * light.w && area < bestArea;
+    const bool better = coversAround(view, light) && light.z >= plan.views[view].lsMin.z * light.w && area < bestArea;
     best = better ? view : best;
     bestArea = better ? area : bestArea;
   }

@@ -25,9 +25,12 @@ LightBox sampleBox(uint segment) {
 }
 
 // Up to the scene's nearest caster: one before the near plane would be clamped to depth 1, and a receiver that bias or
-// its own slope carries there would pass for lit.
+// its own slope carries there would pass for lit. And as far beyond the box as lookups look.
 LightBox withCasters(LightBox box) {
   box.high.z = max(box.high.z, frame.lsBoundsMax.z);
+  box.low.z = min(box.low.z, frame.settings.lsFar);
+  box.low.xy -= frame.settings.lsReach;
+  box.high.xy += frame.settings.lsReach;
   return box;
 }
 

@@ -10,6 +10,7 @@
 #include "light.glsl"
 
 struct Receiver {
+  ViewSample viewSample;
   vec2 texel;          // position in the view's map, texels
   float depth;         // with bias; greater is nearer to the light
   vec2 depthPerTexel;  // slope of the receiver's plane
@@ -25,6 +26,7 @@ Receiver receiverIn(uint view, ViewSample s) {
   const vec4 light = plan.lightFromWorld * vec4(s.wsPosition, 1);
   const vec3 ls = light.xyz / light.w;
   Receiver r;
+  r.viewSample = s;
   r.texel = (ls.xy - vec2(lsMin.x, lsMax.y)) * texelsPerLight;
 
   // Planes transform by the inverse transposed; in homogeneous coordinates that holds for a perspective light too.

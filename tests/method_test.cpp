@@ -24,6 +24,12 @@ void expectRefused(const Result<Method>& result, ErrorCode code, std::initialize
         << "no \"" << word << "\" in: " << result.error().message;
 }
 
+// Read by lookup=evsm alone, which doesn't read those of bias.
+bool readsMoments(std::string_view parameter) {
+  return parameter == "exponents" || parameter == "blur" || parameter == "bleed_reduction" ||
+         parameter == "least_deviation" || parameter == "anisotropy";
+}
+
 // A value of the parameter that isn't its default.
 std::string another(const Parameter& p) {
   for (const std::string_view choice : p.choices)
@@ -59,7 +65,9 @@ TEST(MethodTable, EveryRowIsChosenByItsNameWithItsDefaults) {
       EXPECT_EQ(given->parameters, method->parameters) << row.name << " " << key;
     }
     for (const Parameter& p : parametersOf(row))
-      EXPECT_TRUE(method->parameters.contains(std::string(p.name)) || p.name == "kernel") << p.name;
+      EXPECT_TRUE(method->parameters.contains(std::string(p.name)) || readsMoments(p.name) ||
+                  p.name == "kernel" || p.name.starts_with("bias_"))
+          << p.name;
   }
 }
 
@@ -79,6 +87,7 @@ TEST(MethodLabel, RoundTripsThroughParseMethod) {
     for (const Parameter& p : parametersOf(row)) {
       Parameters wanted{{std::string(p.name), another(p)}};
       if (p.name == "kernel") wanted["lookup"] = "pcf";
+      if (readsMoments(p.name)) wanted.insert({{"storage", "moments"}, {"lookup", "evsm"}});
       const auto method = chooseMethod(row.name, wanted);
       if (!method) continue;  // a choice that needs another one: below
       const auto again = parseMethod(method->label());
@@ -144,8 +153,8 @@ TEST(ParseMethod, RefusesValuesOutsideTheirRangeAndNamesTheRange) {
   for (const char* value : {"0", "16", "2.5", "three"})
     expectRefused(parseMethod(fmt::format("sm,lookup=pcf,kernel={}", value)), ErrorCode::invalidArgument,
                   {"kernel", "[1, 15] texels", "whole number"});
-  expectRefused(parseMethod("sm,lookup=evsm"), ErrorCode::invalidArgument,
-                {"lookup=evsm", "hard", "pcf", "choose"});
+  expectRefused(parseMethod("sm,lookup=spsm"), ErrorCode::invalidArgument,
+                {"lookup=spsm", "hard", "pcf", "choose"});
 }
 
 TEST(ParseMethod, TakesTheEndsOfEachRange) {
@@ -175,6 +184,18 @@ TEST(ParseMethod, RefusesStagesThatDoNotGoTogetherWithTheReason) {
                 {"sm", "focus=aabb", "volume=samples"});
   expectRefused(parseMethod("dv,focus=loose"), ErrorCode::invalidArgument,
                 {"dv", "volume=samples", "focus=aabb"});
+  for (const char* text :
+       {"sm,lookup=evsm", "sm,storage=moments", "sm,storage=moments,lookup=pcf", "evsm,lookup=hard"})
+    expectRefused(parseMethod(text), ErrorCode::invalidArgument, {"storage=moments", "lookup=evsm"});
+  expectRefused(parseMethod("iasm,storage=moments,lookup=evsm"), ErrorCode::invalidArgument,
+                {"iasm", "storage=linear"});
+}
+
+TEST(ParseMethod, RefusesExponentsThatAreNotAPair) {
+  for (const char* text : {"evsm,exponents=40", "evsm,exponents=40:5:1"})
+    expectRefused(parseMethod(text), ErrorCode::invalidArgument, {"exponents", "40:5"});
+  expectRefused(parseMethod("evsm,exponents=50:5"), ErrorCode::invalidArgument,
+                {"exponents=50:5", "[0.1, 42]"});
 }
 
 TEST(Stages, AreSetByNameAndNothingElse) {

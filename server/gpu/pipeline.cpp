@@ -187,7 +187,7 @@ Pipeline makeGraphicsPipeline(const Device& device, const BindingLayout& layout,
   raster.lineWidth = 1;
   VkPipelineMultisampleStateCreateInfo multisample{
       .sType = VK_STRUCTURE_TYPE_PIPELINE_MULTISAMPLE_STATE_CREATE_INFO};
-  multisample.rasterizationSamples = VK_SAMPLE_COUNT_1_BIT;
+  multisample.rasterizationSamples = want.samples;
   VkPipelineDepthStencilStateCreateInfo depth{.sType =
                                                   VK_STRUCTURE_TYPE_PIPELINE_DEPTH_STENCIL_STATE_CREATE_INFO};
   depth.depthTestEnable = depth.depthWriteEnable = want.depth;
@@ -232,6 +232,16 @@ Sampler makeSampler(const Device& device, VkFilter filter) {
   VkSamplerCreateInfo info{.sType = VK_STRUCTURE_TYPE_SAMPLER_CREATE_INFO};
   info.magFilter = info.minFilter = filter;
   info.addressModeU = info.addressModeV = info.addressModeW = VK_SAMPLER_ADDRESS_MODE_REPEAT;
+  VkSampler sampler;
+  check(vkCreateSampler(device, &info, nullptr, &sampler), "vkCreateSampler");
+  return {device, sampler};
+}
+
+Sampler makeLevelSampler(const Device& device) {
+  VkSamplerCreateInfo info{.sType = VK_STRUCTURE_TYPE_SAMPLER_CREATE_INFO};
+  info.magFilter = info.minFilter = VK_FILTER_LINEAR;
+  info.addressModeU = info.addressModeV = info.addressModeW = VK_SAMPLER_ADDRESS_MODE_CLAMP_TO_EDGE;
+  info.maxLod = VK_LOD_CLAMP_NONE;
   VkSampler sampler;
   check(vkCreateSampler(device, &info, nullptr, &sampler), "vkCreateSampler");
   return {device, sampler};

@@ -58,11 +58,14 @@ struct GraphicsPipelineInfo {
   std::vector<VkFormat> colourFormats = {};
   bool depth = false;       // D32, reversed: nearer is greater
   bool depthClamp = false;  // casters before the near plane are kept, at depth 1
+  VkSampleCountFlagBits samples = VK_SAMPLE_COUNT_1_BIT;
 };
 // Triangles; viewport, scissor and (VK 1.3) cull mode are dynamic; counter-clockwise seen with y up is the
 // front.
 Pipeline makeGraphicsPipeline(const Device&, const BindingLayout&, const GraphicsPipelineInfo&);
 
 Sampler makeSampler(const Device&, VkFilter);
+// Linear within a level, of all levels; beyond the edges is what lies on them.
+Sampler makeLevelSampler(const Device&);
 
 }  // namespace sundial

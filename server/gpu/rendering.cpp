@@ -8,9 +8,9 @@ constexpr VkImageLayout kRead = VK_IMAGE_LAYOUT_SHADER_READ_ONLY_OPTIMAL;
 constexpr VkImageLayout kColour = VK_IMAGE_LAYOUT_COLOR_ATTACHMENT_OPTIMAL;
 constexpr VkImageLayout kDepth = VK_IMAGE_LAYOUT_DEPTH_ATTACHMENT_OPTIMAL;
 
-VkRenderingAttachmentInfo attachment(const GpuImage& image, VkImageLayout layout) {
+VkRenderingAttachmentInfo attachment(VkImageView view, VkImageLayout layout) {
   return {.sType = VK_STRUCTURE_TYPE_RENDERING_ATTACHMENT_INFO,
-          .imageView = image.view(),
+          .imageView = view,
           .imageLayout = layout,
           .loadOp = VK_ATTACHMENT_LOAD_OP_CLEAR,
           .storeOp = VK_ATTACHMENT_STORE_OP_STORE};
@@ -35,12 +35,12 @@ void renderInto(VkCommandBuffer command, const std::vector<const GpuImage*>& col
   std::vector<VkRenderingAttachmentInfo> attachments;
   for (const GpuImage* image : colours) {
     transition(command, *image, kRead, kColour);
-    attachments.push_back(attachment(*image, kColour));
+    attachments.push_back(attachment(image->view(), kColour));
   }
   VkRenderingAttachmentInfo depthAttachment{};
   if (depth) {
     transition(command, *depth, kRead, kDepth);
-    depthAttachment = attachment(*depth, kDepth);
+    depthAttachment = attachment(depth->view(), kDepth);
   }
   const VkExtent2D extent = depth ? depth->extent() : colours.front()->extent();
   const VkRenderingInfo info{.sType = VK_STRUCTURE_TYPE_RENDERING_INFO,
@@ -52,6 +52,20 @@ void renderInto(VkCommandBuffer command, const std::vector<const GpuImage*>& col
   render(command, info, draw);
   for (const GpuImage* image : colours) transition(command, *image, kColour, kRead);
   if (depth) transition(command, *depth, kDepth, kRead);
+}
+
+void renderIntoLayer(VkCommandBuffer command, const GpuImage& array, std::uint32_t layer,
+                     const std::function<void()>& draw) {
+  transition(command, array, kRead, kColour);
+  const VkRenderingAttachmentInfo colour = attachment(array.layer(layer), kColour);
+  render(command,
+         {.sType = VK_STRUCTURE_TYPE_RENDERING_INFO,
+          .renderArea = {{0, 0}, array.extent()},
+          .layerCount = 1,
+          .colorAttachmentCount = 1,
+          .pColorAttachments = &colour},
+         draw);
+  transition(command, array, kColour, kRead);
 }
 
 void renderNowhere(VkCommandBuffer command, VkExtent2D extent, const std::function<void()>& draw) {

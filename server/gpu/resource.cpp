@@ -1,6 +1,7 @@
 #include "gpu/resource.h"
 
 #include <algorithm>
+#include <bit>
 #include <cstring>
 
 namespace sundial {
@@ -48,18 +49,37 @@ TexelBuffer::TexelBuffer(const Device& device, Buffer buffer, VkFormat format, s
   view_ = {device, view};
 }
 
+std::uint32_t levelsOf(VkExtent2D extent) {
+  return static_cast<std::uint32_t>(std::bit_width(std::max(extent.width, extent.height)));
+}
+
+namespace {
+Handle<VkImageView, vkDestroyImageView> makeView(const Device& device, VkImage image, VkFormat format,
+                                                 VkImageViewType type, const VkImageSubresourceRange& range) {
+  const VkImageViewCreateInfo info{.sType = VK_STRUCTURE_TYPE_IMAGE_VIEW_CREATE_INFO,
+                                   .image = image,
+                                   .viewType = type,
+                                   .format = format,
+                                   .subresourceRange = range};
+  VkImageView view;
+  check(vkCreateImageView(device, &info, nullptr, &view), "vkCreateImageView");
+  return {device, view};
+}
+}  // namespace
+
 GpuImage::GpuImage(const Device& device, VkExtent2D extent, VkFormat format, VkImageUsageFlags usage,
-                   std::uint32_t layers, bool arrayView)
+                   const ImageParts& parts)
     : extent_(extent),
+      parts_(parts),
       format_(format),
       aspect_(format == VK_FORMAT_D32_SFLOAT ? VK_IMAGE_ASPECT_DEPTH_BIT : VK_IMAGE_ASPECT_COLOR_BIT) {
   const VkImageCreateInfo info{.sType = VK_STRUCTURE_TYPE_IMAGE_CREATE_INFO,
                                .imageType = VK_IMAGE_TYPE_2D,
                                .format = format,
                                .extent = {extent.width, extent.height, 1},
-                               .mipLevels = 1,
-                               .arrayLayers = layers,
-                               .samples = VK_SAMPLE_COUNT_1_BIT,
+                               .mipLevels = parts.levels,
+                               .arrayLayers = parts.layers,
+                               .samples = parts.samples,
                                .tiling = VK_IMAGE_TILING_OPTIMAL,
                                .usage = usage,
                                .initialLayout = VK_IMAGE_LAYOUT_UNDEFINED};
@@ -71,15 +91,11 @@ GpuImage::GpuImage(const Device& device, VkExtent2D extent, VkFormat format, VkI
   bytes_ = requirements.size;
   memory_ = device.allocate(requirements, MemoryUse::device);
   check(vkBindImageMemory(device, image, memory_, 0), "vkBindImageMemory");
-  const VkImageViewCreateInfo viewInfo{
-      .sType = VK_STRUCTURE_TYPE_IMAGE_VIEW_CREATE_INFO,
-      .image = image,
-      .viewType = arrayView ? VK_IMAGE_VIEW_TYPE_2D_ARRAY : VK_IMAGE_VIEW_TYPE_2D,
-      .format = format,
-      .subresourceRange = {aspect_, 0, 1, 0, layers}};
-  VkImageView view;
-  check(vkCreateImageView(device, &viewInfo, nullptr, &view), "vkCreateImageView");
-  view_ = {device, view};
+  view_ = makeView(device, image, format, parts.array ? VK_IMAGE_VIEW_TYPE_2D_ARRAY : VK_IMAGE_VIEW_TYPE_2D,
+                   {aspect_, 0, parts.levels, 0, parts.layers});
+  if (!parts.array || !(usage & VK_IMAGE_USAGE_COLOR_ATTACHMENT_BIT)) return;
+  for (std::uint32_t layer = 0; layer < parts.layers; ++layer)
+    layers_.push_back(makeView(device, image, format, VK_IMAGE_VIEW_TYPE_2D, {aspect_, 0, 1, layer, 1}));
 }
 
 void barrier(VkCommandBuffer command) {
@@ -95,7 +111,9 @@ void barrier(VkCommandBuffer command) {
   vkCmdPipelineBarrier2(command, &info);
 }
 
-void transition(VkCommandBuffer command, const GpuImage& image, VkImageLayout from, VkImageLayout to) {
+namespace {
+void transitionLevels(VkCommandBuffer command, const GpuImage& image, std::uint32_t first,
+                      std::uint32_t levels, VkImageLayout from, VkImageLayout to) {
   const VkImageMemoryBarrier2 change{
       .sType = VK_STRUCTURE_TYPE_IMAGE_MEMORY_BARRIER_2,
       .srcStageMask = VK_PIPELINE_STAGE_2_ALL_COMMANDS_BIT,
@@ -107,11 +125,17 @@ void transition(VkCommandBuffer command, const GpuImage& image, VkImageLayout fr
       .srcQueueFamilyIndex = VK_QUEUE_FAMILY_IGNORED,
       .dstQueueFamilyIndex = VK_QUEUE_FAMILY_IGNORED,
       .image = image,
-      .subresourceRange = {image.aspect(), 0, VK_REMAINING_MIP_LEVELS, 0, VK_REMAINING_ARRAY_LAYERS}};
+      .subresourceRange = {image.aspect(), first, levels, 0, VK_REMAINING_ARRAY_LAYERS}};
   const VkDependencyInfo info{.sType = VK_STRUCTURE_TYPE_DEPENDENCY_INFO,
                               .imageMemoryBarrierCount = 1,
                               .pImageMemoryBarriers = &change};
   vkCmdPipelineBarrier2(command, &info);
+}
+
+}  // namespace
+
+void transition(VkCommandBuffer command, const GpuImage& image, VkImageLayout from, VkImageLayout to) {
+  transitionLevels(command, image, 0, VK_REMAINING_MIP_LEVELS, from, to);
 }
 
 std::vector<std::byte> downloaded(const Device& device, const Buffer& source) {
@@ -146,6 +170,28 @@ void copyToImage(VkCommandBuffer command, const Buffer& source, const GpuImage& 
   transition(command, target, VK_IMAGE_LAYOUT_SHADER_READ_ONLY_OPTIMAL, VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL);
   vkCmdCopyBufferToImage(command, source, target, VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL, 1, &region);
   transition(command, target, VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL, VK_IMAGE_LAYOUT_SHADER_READ_ONLY_OPTIMAL);
+}
+
+void fillLevels(VkCommandBuffer command, const GpuImage& image) {
+  const auto [layers, array, levels, samples] = image.parts();
+  const auto cornerOf = [&](std::uint32_t level) {
+    return VkOffset3D{static_cast<std::int32_t>(std::max(image.extent().width >> level, 1u)),
+                      static_cast<std::int32_t>(std::max(image.extent().height >> level, 1u)), 1};
+  };
+  constexpr VkImageLayout kRead = VK_IMAGE_LAYOUT_SHADER_READ_ONLY_OPTIMAL;
+  constexpr VkImageLayout kFrom = VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL,
+                          kTo = VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL;
+  transition(command, image, kRead, kTo);
+  transitionLevels(command, image, 0, 1, kTo, kFrom);
+  for (std::uint32_t level = 1; level < levels; ++level) {
+    const VkImageBlit half{.srcSubresource = {image.aspect(), level - 1, 0, layers},
+                           .srcOffsets = {{}, cornerOf(level - 1)},
+                           .dstSubresource = {image.aspect(), level, 0, layers},
+                           .dstOffsets = {{}, cornerOf(level)}};
+    vkCmdBlitImage(command, image, kFrom, image, kTo, 1, &half, VK_FILTER_LINEAR);
+    transitionLevels(command, image, level, 1, kTo, kFrom);
+  }
+  transition(command, image, kFrom, kRead);
 }
 
 std::vector<std::byte> downloaded(const Device& device, const GpuImage& source, VkDeviceSize bytesPerTexel) {

@@ -51,17 +51,31 @@ class TexelBuffer {
   Handle<VkBufferView, vkDestroyBufferView> view_;
 };
 
+// What an image has more of than one.
+struct ImageParts {
+  std::uint32_t layers = 1;
+  bool array = false;  // is seen as an array, of one layer too
+  std::uint32_t levels = 1;
+  VkSampleCountFlagBits samples = VK_SAMPLE_COUNT_1_BIT;
+};
+
+// As many levels as halving a side leaves texels.
+std::uint32_t levelsOf(VkExtent2D);
+
 class GpuImage {
  public:
   GpuImage() = default;
-  // One level; more than one layer makes an array view.
-  GpuImage(const Device&, VkExtent2D, VkFormat, VkImageUsageFlags, std::uint32_t layers = 1,
-           bool arrayView = false);
+  GpuImage(const Device&, VkExtent2D, VkFormat, VkImageUsageFlags, const ImageParts& = {});
 
   operator VkImage() const { return image_; }
-  VkImageView view() const { return view_; }
+  VkImageView view() const { return view_; }  // of all layers and levels
+  // The first level of a layer, to be drawn into.
+  VkImageView layer(std::uint32_t index) const {
+    return layers_.empty() ? VkImageView(view_) : layers_[index];
+  }
   VkExtent2D extent() const { return extent_; }
   VkFormat format() const { return format_; }
+  const ImageParts& parts() const { return parts_; }
   VkImageAspectFlags aspect() const { return aspect_; }
   VkDeviceSize bytes() const { return bytes_; }  // of memory
 
@@ -69,7 +83,9 @@ class GpuImage {
   Memory memory_;
   Handle<VkImage, vkDestroyImage> image_;
   Handle<VkImageView, vkDestroyImageView> view_;
+  std::vector<Handle<VkImageView, vkDestroyImageView>> layers_;  // of arrays that are drawn into
   VkExtent2D extent_{};
+  ImageParts parts_;
   VkFormat format_ = VK_FORMAT_UNDEFINED;
   VkImageAspectFlags aspect_ = 0;
   VkDeviceSize bytes_ = 0;
@@ -86,6 +102,9 @@ void transition(VkCommandBuffer, const GpuImage&, VkImageLayout from, VkImageLay
 // stays in it.
 void copyToBuffer(VkCommandBuffer, const GpuImage&, const Buffer&);
 void copyToImage(VkCommandBuffer, const Buffer&, const GpuImage&);
+
+// Fills each level of all layers from the one before. In SHADER_READ_ONLY_OPTIMAL layout, and stays in it.
+void fillLevels(VkCommandBuffer, const GpuImage&);
 
 // Contents, on the host. An image must be in SHADER_READ_ONLY_OPTIMAL layout, and stays in it.
 std::vector<std::byte> downloaded(const Device&, const Buffer&);

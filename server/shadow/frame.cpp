@@ -63,7 +63,7 @@ Frame::Frame(const FrameView& view, const Method& method)
   const shared::FrameConstants constants = constantsOf(view, method);
   *constants_.mapped<shared::FrameConstants>() = constants;
   if (method.stages) {
-    store_.emplace(view.device, method, constants);
+    store_ = makeStore(view.device, view.pipelines, method, constants);
     if (method.settings.plan == PlanTiming::readback) {
       hostPlan_.emplace(view.device, sizeof(shared::Plan), 0, MemoryUse::readback);
       hostCommands_.emplace(view.device,
@@ -90,9 +90,7 @@ void Frame::bindTo(BindingSet& bindings, const ViewTarget& samples) const {
   bindings.set(shared::kBindVisible, visible_);
   bindings.set(shared::kBindCounts, counts_);
   if (store_) return store_->bindTo(bindings);
-  // Without a map these are unread, but see BindingSet.
-  bindings.set(shared::kBindStore, samples.visibility, nearest_);
-  bindings.set(shared::kBindLinear, plan_);
+  bindNoStore(bindings, samples.visibility, nearest_, plan_);
 }
 
 void Frame::look(const FrameView& view) {
@@ -119,25 +117,31 @@ std::vector<Pass> Frame::passes() const {
   const Pass plan{.name = "plan", .record = on(&Frame::plan)};
   const Pass cull{.name = "cull", .record = [this](VkCommandBuffer command) { this->cull(command, 1, shadowViews_); }};
   const Pass store{.name = "store", .record = on(&Frame::store)};
+  const Pass filter{.name = "filter", .record = on(&Frame::filter)};
   const Pass resolve{.name = "resolve", .record = on(&Frame::resolve)};
-  switch (method_.settings.plan) {
-    case PlanTiming::gpu:
-      return {gbuffer, analyze, plan, cull, store, resolve, shade};
-    case PlanTiming::readback:
-      return {gbuffer,
-              analyze,
-              plan,
-              {.name = "readback", .record = on(&Frame::readPlan)},
-              {.name = "cull", .host = [this] { cullByHost(); }},
-              store,
-              resolve,
-              shade};
-    case PlanTiming::delayed:
-      // What was analysed lies relative to its origin.
-      if (analysedAt_ == view_.origin) return {gbuffer, plan, cull, store, resolve, shade, analyze};
-      return {gbuffer, analyze, plan, cull, store, resolve, shade};
-  }
-  return {};
+  std::vector<Pass> passes = [&]() -> std::vector<Pass> {
+    switch (method_.settings.plan) {
+      case PlanTiming::readback:
+        return {gbuffer,
+                analyze,
+                plan,
+                {.name = "readback", .record = on(&Frame::readPlan)},
+                {.name = "cull", .host = [this] { cullByHost(); }},
+                store,
+                filter,
+                resolve,
+                shade};
+      case PlanTiming::delayed:
+        // What was analysed lies relative to its origin.
+        if (analysedAt_ == view_.origin) return {gbuffer, plan, cull, store, filter, resolve, shade, analyze};
+        [[fallthrough]];
+      case PlanTiming::gpu:
+        return {gbuffer, analyze, plan, cull, store, filter, resolve, shade};
+    }
+    return {};
+  }();
+  if (!store_->filters()) std::erase_if(passes, [](const Pass& pass) { return pass.name == "filter"; });
+  return passes;
 }
 
 // What the camera sees: the clusters that reach its frustum, their ids and depth, then the view samples.
@@ -232,6 +236,12 @@ void Frame::store(VkCommandBuffer command) const {
         hostCommands_ ? Draws{*hostCommands_, *hostCounts_, view} : Draws{commands_, counts_, 1 + view};
     drawSlot(command, draws, pipelines_->store, pipelines_->storeMasked, false);
   });
+}
+
+// What the maps' lookup needs beyond them.
+void Frame::filter(VkCommandBuffer command) const {
+  bindings_.bind(command);
+  store_->filter(command);
 }
 
 // How lit each view sample is.

@@ -6,9 +6,9 @@
 
 #include "reference/reference.h"
 #include "shadow/frame_pipelines.h"
-#include "shadow/frame_store.h"
 #include "shadow/method.h"
 #include "shadow/scene_buffers.h"
+#include "shadow/store.h"
 #include "shadow/view_target.h"
 #include "shared/plan.h"
 
@@ -45,7 +45,7 @@ class Frame {
   std::vector<Pass> passes() const;
   // The next frame, from elsewhere or in other light: a view of the same scene, size and target.
   void look(const FrameView&);
-  // The lookup at other samples than the view's, for methods with a map, after the passes up to `store`:
+  // The lookup at other samples than the view's, for methods with a map, after the passes before `resolve`:
   // `points` holds the samples and gets their visibility. `bindings` are bindingsAt(points).
   BindingSet bindingsAt(const ViewTarget& points) const;
   void recordLookup(VkCommandBuffer, const ViewTarget& points, const BindingSet& bindings) const;
@@ -72,6 +72,7 @@ class Frame {
   void readPlan(VkCommandBuffer) const;
   void cullByHost() const;
   void store(VkCommandBuffer) const;
+  void filter(VkCommandBuffer) const;
   void resolve(VkCommandBuffer) const;
   void shade(VkCommandBuffer) const;
   void readSamples(VkCommandBuffer) const;
@@ -89,7 +90,7 @@ class Frame {
   std::uint32_t shadowViews_;  // the plan's most
   std::optional<MethodPipelines> pipelines_;  // with a map
   Buffer constants_, analysis_, plan_, commands_, visible_, counts_;
-  std::optional<FrameStore> store_;  // with a map
+  std::unique_ptr<Store> store_;  // with a map
   Sampler nearest_;
   BindingSet bindings_;
   // plan=readback alone: the plan on its way to the host, and what the host leaves of the draws.

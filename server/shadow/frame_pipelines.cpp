@@ -78,6 +78,18 @@ Specialization planConstants(const Stages& stages) {
   return {stages.focus == Focus::loose ? 0u : stages.focus == Focus::snapped ? 2u : 1u};
 }
 
+std::string_view lookupShader(Lookup lookup) {
+  switch (lookup) {
+    case Lookup::hard:
+      return "lookup_hard.frag";
+    case Lookup::pcf:
+      return "lookup_pcf.frag";
+    case Lookup::evsm:
+      return "lookup_evsm.frag";
+  }
+  return {};
+}
+
 Specialization lookupConstants(const Method& method) {
   const Stages& stages = *method.stages;
   const std::uint32_t choice = [&] {
@@ -116,18 +128,39 @@ FramePipelines::FramePipelines(const Device& device)
 
 MethodPipelines FramePipelines::of(const Method& method) {
   const Stages& stages = *method.stages;
-  const bool linear = stages.storage == Storage::linear;
   const bool histogram = stages.partition == Partition::adaptive || stages.partition == Partition::kmeans;
-  const std::string_view lookup = stages.lookup == Lookup::pcf ? "lookup_pcf.frag" : "lookup_hard.frag";
-  return {.analyzeDepths = compute("analyze_depths.comp", {histogram, stages.focus == Focus::snapped}),
-          .analyzeSplits = compute("analyze_splits.comp", splitsConstants(stages)),
-          .analyzeSegments = compute("analyze_segments.comp", segmentsConstants(stages)),
-          .analyzeCasters = compute("analyze_casters.comp", {}),
-          .plan = compute(planShader(stages.partition), planConstants(stages)),
-          .store = linear ? storeLinear_ : storeDepth_,
-          .storeMasked = linear ? storeLinearMasked_ : storeDepthMasked_,
-          .resolve = fullscreen(lookup, VK_FORMAT_R32_SFLOAT, lookupConstants(method)),
-          .answers = fullscreen("answers.frag", VK_FORMAT_R32G32B32A32_UINT, lookupConstants(method))};
+  MethodPipelines made{
+      .analyzeDepths = compute("analyze_depths.comp", {histogram, stages.focus == Focus::snapped}),
+      .analyzeSplits = compute("analyze_splits.comp", splitsConstants(stages)),
+      .analyzeSegments = compute("analyze_segments.comp", segmentsConstants(stages)),
+      .analyzeCasters = compute("analyze_casters.comp", {}),
+      .plan = compute(planShader(stages.partition), planConstants(stages)),
+      .store = storeDepth_,
+      .storeMasked = storeDepthMasked_,
+      .resolve = fullscreen(lookupShader(stages.lookup), VK_FORMAT_R32_SFLOAT, lookupConstants(method)),
+      .answers = fullscreen("answers.frag", VK_FORMAT_R32G32B32A32_UINT, lookupConstants(method))};
+  if (stages.storage == Storage::linear) {
+    made.store = storeLinear_;
+    made.storeMasked = storeLinearMasked_;
+  } else if (stages.storage == Storage::moments) {
+    constexpr VkFormat kMoments = VK_FORMAT_R32G32B32A32_SFLOAT;
+    made.store = multisampled("store_depth.vert", "", false);
+    made.storeMasked = multisampled("store_depth_masked.vert", "store_depth_masked.frag", true);
+    made.moments = fullscreen("store_moments.frag", kMoments, {});
+    made.blurAcross = fullscreen("blur_across.frag", kMoments, {});
+    made.blurDown = fullscreen("blur_down.frag", kMoments, {});
+  }
+  return made;
+}
+
+VkPipeline FramePipelines::multisampled(std::string_view vertex, std::string_view fragment, bool masked) {
+  const auto [found, added] = variants_.try_emplace({vertex, {}});
+  if (added) {
+    GraphicsPipelineInfo info = storeOf(vertex, fragment, masked, true);
+    info.samples = VK_SAMPLE_COUNT_4_BIT;
+    found->second = makeGraphicsPipeline(device_, layout, info);
+  }
+  return found->second;
 }
 
 VkPipeline FramePipelines::compute(std::string_view shader, const Specialization& constants) {

@@ -14,6 +14,8 @@ struct MethodPipelines {
   VkPipeline analyzeDepths, analyzeSplits, analyzeSegments, analyzeCasters, plan;
   VkPipeline store, storeMasked;
   VkPipeline resolve, answers;
+  // storage=moments alone.
+  VkPipeline moments = VK_NULL_HANDLE, blurAcross = VK_NULL_HANDLE, blurDown = VK_NULL_HANDLE;
 };
 
 class FramePipelines {
@@ -29,6 +31,8 @@ class FramePipelines {
   Pipeline shade, shadePlain;  // plain: a scene without textures and vertex colours
 
  private:
+  // Into four samples a texel.
+  VkPipeline multisampled(std::string_view vertex, std::string_view fragment, bool masked);
   VkPipeline compute(std::string_view shader, const Specialization&);
   VkPipeline fullscreen(std::string_view shader, VkFormat, const Specialization&);
 

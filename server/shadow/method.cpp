@@ -10,9 +10,19 @@
 namespace sundial {
 
 std::vector<Parameter> parametersOf(const MethodRow& row) {
-  std::optional<Stages> stages = row.stages;
-  if (stages) stages->lookup = Lookup::pcf;
-  return parametersFor(row, stages);
+  std::vector<Parameter> all = parametersFor(row, row.stages);
+  if (!row.stages) return all;
+  for (const auto& [storage, lookup] : {std::pair(Storage::depth, Lookup::pcf),
+                                        {Storage::linear, Lookup::pcf},
+                                        {Storage::moments, Lookup::evsm}}) {
+    Stages stages = *row.stages;
+    stages.storage = storage;
+    stages.lookup = lookup;
+    if (whyImpossible(stages)) continue;
+    for (const Parameter& p : parametersFor(row, stages))
+      if (std::ranges::find(all, p.name, &Parameter::name) == all.end()) all.push_back(p);
+  }
+  return all;
 }
 
 Result<Method> chooseMethod(std::string_view name, const std::map<std::string, std::string>& wanted) {

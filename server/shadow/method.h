@@ -68,6 +68,11 @@ struct Method {
     double biasTexels = 0;                 // towards the light, texels of the map at the receiver
     std::optional<double> biasWorld;       // towards the light, metres; none: a share of the scene's diagonal
     unsigned kernel = 3;                   // pcf, texels a side
+    std::vector<double> exponents;         // storage=moments: positive and negative
+    double blur = 0;                       // metres
+    double bleedReduction = 0;             // in [0, 1)
+    std::optional<double> leastDeviation;  // metres; none: a share of the scene's depth
+    double anisotropy = 1;                 // texels of a footprint's longer side
   } settings;
   std::string label() const;  // "sm,texels=1024": the name and what differs from the defaults
 };

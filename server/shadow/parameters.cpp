@@ -26,6 +26,8 @@ struct Rule {
 const std::vector<Rule>& rules() {
   constexpr auto always = [](const Stages&) { return true; };
   constexpr auto cuts = [](const Stages& s) { return cutsDepth(s.partition); };
+  constexpr auto biased = [](const Stages& s) { return s.lookup != Lookup::evsm; };
+  constexpr auto moments = [](const Stages& s) { return s.storage == Storage::moments; };
   constexpr auto tiles = [](const Stages& s) { return s.partition == Partition::tiles; };
   static const std::vector<Rule> all = {
       {{.name = "texels",
@@ -42,9 +44,10 @@ const std::vector<Rule>& rules() {
         .min = 0,
         .max = 100,
         .defaultValue = "2",
-        .description = "how far a receiver moves towards the light, in texels of its map; half of it where it looks into "
+        .description = "how far a receiver moves towards the light, in texels of its map; half of it where "
+                       "it looks into "
                        "the light"},
-       always},
+       biased},
       {{.name = "bias_world",
         .kind = Kind::number,
         .unit = "m",
@@ -54,13 +57,14 @@ const std::vector<Rule>& rules() {
         .description = "the same in metres, added; auto: 2e-5 of the scene's diagonal, as near as the "
                        "reference looks",
         .choices = {kAuto}},
-       always},
+       biased},
       {{.name = "plan",
         .kind = Kind::choice,
         .unit = "",
         .defaultValue = "gpu",
-        .description = "gpu: planned, culled and drawn without the host; readback: the host waits for the plan and "
-                       "culls; delayed: planned from what the frame before saw",
+        .description =
+            "gpu: planned, culled and drawn without the host; readback: the host waits for the plan and "
+            "culls; delayed: planned from what the frame before saw",
         .choices = {"gpu", "readback", "delayed"}},
        always},
       {{.name = "partitions",
@@ -77,8 +81,9 @@ const std::vector<Rule>& rules() {
         .min = 0.001,
         .max = 1e9,
         .defaultValue = kAuto,
-        .description = "where each partition ends, 4:12:40; auto: three, at (i/3)^3 of the scene's farthest depth; "
-                       "with partition=manual",
+        .description =
+            "where each partition ends, 4:12:40; auto: three, at (i/3)^3 of the scene's farthest depth; "
+            "with partition=manual",
         .choices = {kAuto}},
        [](const Stages& s) { return s.partition == Partition::manual; }},
       {{.name = "lambda",
@@ -95,15 +100,17 @@ const std::vector<Rule>& rules() {
         .min = 1e-4,
         .max = 1e9,
         .defaultValue = kAuto,
-        .description = "depth that the formulas of splits begin with; auto: a thousandth of the scene's farthest; "
-                       "with volume=frustum",
+        .description =
+            "depth that the formulas of splits begin with; auto: a thousandth of the scene's farthest; "
+            "with volume=frustum",
         .choices = {kAuto}},
        [](const Stages& s) { return s.volume == Volume::frustum && s.partition != Partition::manual; }},
       {{.name = "choose",
         .kind = Kind::choice,
         .unit = "",
         .defaultValue = "tightest",
-        .description = "which partition answers: the one of the sample's depth, or the tightest that contains it",
+        .description =
+            "which partition answers: the one of the sample's depth, or the tightest that contains it",
         .choices = {"depth", "tightest"}},
        cuts},
       {{.name = "blend",
@@ -120,8 +127,9 @@ const std::vector<Rule>& rules() {
         .min = 8,
         .max = 4096,
         .defaultValue = "1024:512:512:256:128:128:128:128:64:64:32:32:16:16:16:16",
-        .description = "a side of each tile, n x n of them; resolution=ranked: falling, the most important tile gets "
-                       "the first; listed: tile by tile, a row of light space after another"},
+        .description =
+            "a side of each tile, n x n of them; resolution=ranked: falling, the most important tile gets "
+            "the first; listed: tile by tile, a row of light space after another"},
        tiles},
       {{.name = "extent",
         .kind = Kind::number,
@@ -165,6 +173,51 @@ const std::vector<Rule>& rules() {
         .defaultValue = "3",
         .description = "side of the filter's box; with lookup=pcf"},
        [](const Stages& s) { return s.lookup == Lookup::pcf; }},
+      {{.name = "exponents",
+        .kind = Kind::list,
+        .unit = "1",
+        .min = 0.1,
+        .max = 42,
+        .defaultValue = "40:5",
+        .description = "of the two warps of depth, over half the depth of a map, which is a little more than "
+                       "the scene's along the light; with storage=moments"},
+       moments},
+      {{.name = "blur",
+        .kind = Kind::number,
+        .unit = "m",
+        .min = 0,
+        .max = 1000,
+        .defaultValue = "0",
+        .description =
+            "over how much shadows' edges fade, across the light; for a spot light in the middle of the "
+            "scene's depth; with storage=moments"},
+       moments},
+      {{.name = "bleed_reduction",
+        .kind = Kind::number,
+        .unit = "1",
+        .min = 0,
+        .max = 0.99,
+        .defaultValue = "0.2",
+        .description = "lights up to this share count as none, the rest are stretched; with storage=moments"},
+       moments},
+      {{.name = "least_deviation",
+        .kind = Kind::number,
+        .unit = "m",
+        .min = 1e-9,
+        .max = 1000,
+        .defaultValue = kAuto,
+        .description = "of depth, below which it is taken for rounding; auto: 2e-5 of the scene's extent; "
+                       "with storage=moments",
+        .choices = {kAuto}},
+       moments},
+      {{.name = "anisotropy",
+        .kind = Kind::number,
+        .unit = "texels",
+        .min = 1,
+        .max = 16,
+        .defaultValue = "16",
+        .description = "the most that are read along a pixel's footprint; with storage=moments"},
+       moments},
   };
   return all;
 }
@@ -311,6 +364,13 @@ Method::Settings settingsFrom(const std::map<std::string, std::string>& paramete
   with("importance_gain", [&](const std::string& text) { settings.importanceGain = *parse<double>(text); });
   with("importance_range", [&](const std::string& text) { settings.importanceRange = unlessAuto(text); });
   with("kernel", [&](const std::string& text) { settings.kernel = *parse<unsigned>(text); });
+  with("exponents", [&](const std::string& text) { settings.exponents = *parseList(text); });
+  with("blur", [&](const std::string& text) { settings.blur = *parse<double>(text); });
+  with("bleed_reduction", [&](const std::string& text) { settings.bleedReduction = *parse<double>(text); });
+  with("least_deviation", [&](const std::string& text) { settings.leastDeviation = unlessAuto(text); });
+  with("anisotropy", [&](const std::string& text) { settings.anisotropy = *parse<double>(text); });
+  // Variance does what bias does.
+  if (stages.lookup == Lookup::evsm) settings.biasWorld = 0;
   if (stages.partition == Partition::tiles) settings.width = settings.height = settings.tileSizes.front();
   return settings;
 }
@@ -324,6 +384,9 @@ std::optional<std::string> whyInconsistent(const Stages& stages, const Method::S
     return "blend fades one range of depth into the next: use choose=depth with it";
   if (settings.plan == PlanTiming::delayed && (stages.volume == Volume::scene || stages.volume == Volume::frustum))
     return "plan=delayed uses what the samples of the frame before said, and this plan asks none: use plan=gpu";
+  if (stages.storage == Storage::moments && settings.exponents.size() != 2)
+    return fmt::format("exponents: {} of them; give the positive and the negative one: 40:5",
+                       settings.exponents.size());
   if (stages.partition == Partition::tiles) {
     const std::size_t tiles = settings.tileSizes.size();
     const auto side = static_cast<std::size_t>(std::lround(std::sqrt(static_cast<double>(tiles))));

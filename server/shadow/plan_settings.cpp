@@ -3,6 +3,9 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
+
+#include "shadow/moment_store.h"
 
 namespace sundial {
 
@@ -168,6 +171,9 @@ void settle(shared::FrameConstants& c, const Method& method, const dvec3& origin
     to.splits[i] = from.splits.empty()
                        ? static_cast<float>(c.sceneDepth * std::pow((i + 1.0) / from.partitions, 3))
                        : static_cast<float>(from.splits[i]);
+
+  to.lsFar = std::numeric_limits<float>::max();
+  if (stages.storage == Storage::moments) settleMoments(c, method);
 
   const std::uint32_t views = shadowViewsOf(method);
   if (stages.storage == Storage::linear)

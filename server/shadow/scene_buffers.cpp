@@ -55,7 +55,8 @@ GpuImage uploadTextures(const Device& device, const Scene& scene) {
   const VkExtent2D extent{any ? scene.textureSize.x : 1, any ? scene.textureSize.y : 1};
   const auto layers = any ? static_cast<std::uint32_t>(scene.textures.size()) : 1u;
   GpuImage image(device, extent, VK_FORMAT_R8G8B8A8_UNORM,
-                 VK_IMAGE_USAGE_SAMPLED_BIT | VK_IMAGE_USAGE_TRANSFER_DST_BIT, layers, true);
+                 VK_IMAGE_USAGE_SAMPLED_BIT | VK_IMAGE_USAGE_TRANSFER_DST_BIT,
+                 {.layers = layers, .array = true});
   const VkDeviceSize layerBytes = VkDeviceSize{4} * extent.width * extent.height;
   const Buffer staging(device, layerBytes * layers, 0, MemoryUse::upload);
   for (std::size_t i = 0; i < scene.textures.size(); ++i)

@@ -30,8 +30,8 @@ const std::array<StageText, 7>& stageTexts() {
       stageText<&Stages::warp>("warp", {"none"}),
       stageText<&Stages::focus>("focus", {"loose", "depth", "aabb", "aligned", "snapped"}),
       stageText<&Stages::resolution>("resolution", {"fixed", "ranked", "listed"}),
-      stageText<&Stages::storage>("storage", {"depth", "linear"}),
-      stageText<&Stages::lookup>("lookup", {"hard", "pcf"})};
+      stageText<&Stages::storage>("storage", {"depth", "linear", "moments"}),
+      stageText<&Stages::lookup>("lookup", {"hard", "pcf", "evsm"})};
   return texts;
 }
 
@@ -83,6 +83,8 @@ std::optional<std::string> whyImpossible(const Stages& stages) {
     return "tiles, and nothing else, share out a list of sizes: use partition=tiles with resolution=ranked or listed";
   if (tiles && stages.storage != Storage::linear)
     return "tiles of different sizes don't fit an image: use storage=linear";
+  if ((stages.storage == Storage::moments) != (stages.lookup == Lookup::evsm))
+    return "moments of depth are read by lookup=evsm, and by nothing else: use it with storage=moments";
   if (stages.focus == Focus::depth && !tiles) return "focus=depth fits near and far of tiles: use partition=tiles";
   if ((stages.focus == Focus::aligned || stages.focus == Focus::snapped) && !samples)
     return "focus=aligned and focus=snapped fit boxes to the view samples, which volume=samples looks at";

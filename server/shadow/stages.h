@@ -16,8 +16,8 @@ enum class Partition { single, manual, uniform, log, practical, adaptive, kmeans
 enum class Warp { none };                                    // how each part is re-parameterised
 enum class Focus { loose, depth, aabb, aligned, snapped };   // how tight each part's frustum is
 enum class Resolution { fixed, ranked, listed };             // how many texels each part gets
-enum class Storage { depth, linear };                        // what a texel holds, and where
-enum class Lookup { hard, pcf };                             // how a view sample asks
+enum class Storage { depth, linear, moments };               // what a texel holds, and where
+enum class Lookup { hard, pcf, evsm };                       // how a view sample asks
 
 struct Stages {
   Volume volume;

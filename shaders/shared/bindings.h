@@ -33,7 +33,10 @@ SUNDIAL_CONST kBindPositions = 17u;   // usampler2D: view samples, position's bi
 SUNDIAL_CONST kBindNormals = 18u;     // usampler2D: view samples, normal's bits and triangle
 SUNDIAL_CONST kBindStore = 19u;       // sampler2D: the shadow maps
 SUNDIAL_CONST kBindVisibility = 20u;  // sampler2D: what resolve wrote
-SUNDIAL_CONST kBindCount = 21u;
+SUNDIAL_CONST kBindMultisampled = 21u;  // sampler2DMS: the depths of one view, storage=moments
+SUNDIAL_CONST kBindMoments = 22u;       // sampler2DArray: a layer a view
+SUNDIAL_CONST kBindBlurred = 23u;       // sampler2DArray: a view half-way through its blur
+SUNDIAL_CONST kBindCount = 24u;
 
 SUNDIAL_SHARED_END
 #endif

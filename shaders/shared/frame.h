@@ -15,6 +15,15 @@ SUNDIAL_SHARED_BEGIN
 SUNDIAL_CONST kLightDirectional = 0u;
 SUNDIAL_CONST kLightSpot = 1u;
 
+// storage=moments: moments.glsl.
+struct MomentSettings {
+  vec2 exponents;        // of depth from -1 to 1
+  float leastDeviation;  // of depth, metres: less is rounding
+  float anisotropy;      // the most taps along a footprint
+  float bleedReduction;  // in [0, 1)
+  float lsBlur;          // width of the blur in light space after division
+};
+
 struct FrameConstants {
   mat4 clipFromWorld;  // the camera
   // Light space before division: directional (x, y, height toward the light, 1), metres;
@@ -40,6 +49,7 @@ struct FrameConstants {
   float sceneDepth;      // the camera's depth of the scene's farthest corner, metres
   uvec2 drawBuckets[6];  // first chunk and number of chunks of each bucket (scene.h: kBuckets)
   PlanSettings settings;
+  MomentSettings moments;
 };
 
 // Cull slot of the camera; shadow view v has slot v + 1.

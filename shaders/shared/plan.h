@@ -65,6 +65,11 @@ struct PlanSettings {
   vec2 lsSquareMin;       // volume=inscribed
   float lsSquareSide;
   uint tileTexels[kMaxShadowViews];  // a side, of view v
+  // How far beyond its own samples or part of the scene a view is drawn at least, light space after division: to this
+  // depth, and by this much to each side.
+  float lsFar;
+  float lsReach;
+  float rimTexels;  // about a map, where lookups would look beyond it
 };
 SUNDIAL_CONST kSnapPeriod = 4096u;  // metres, the coarsest texel of focus=snapped
 

@@ -1,0 +1,24 @@
+// storage=depth: all maps beside each other in one depth image.
+#pragma once
+
+#include "shadow/store.h"
+
+namespace sundial {
+
+class DepthStore : public Store {
+ public:
+  DepthStore(const Device&, const Method&, const shared::FrameConstants&);
+
+  void record(VkCommandBuffer, const DrawView& draw) const override;
+  void bindTo(BindingSet&) const override;
+  std::uint64_t texels() const override { return texelsOf(maps_); }
+  std::uint64_t bytes() const override { return texels() * sizeof(float); }
+
+ private:
+  std::vector<VkRect2D> maps_;
+  GpuImage image_;
+  Buffer unread_;
+  Sampler nearest_;
+};
+
+}  // namespace sundial

@@ -1,0 +1,100 @@
+#include "shadow/store.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "shadow/depth_store.h"
+#include "shadow/linear_store.h"
+#include "shadow/moment_store.h"
+#include "shadow/plan_settings.h"
+#include "shared/bindings.h"
+
+namespace sundial {
+
+std::vector<VkRect2D> mapsOf(const Method& method, const shared::FrameConstants& constants) {
+  std::vector<VkRect2D> maps;
+  const bool linear = method.stages->storage == Storage::linear;
+  for (std::uint32_t view = 0; view < shadowViewsOf(method); ++view) {
+    const shared::PlanSettings& settings = constants.settings;
+    glm::uvec2 size = settings.mapSize;
+    if (method.stages->partition == Partition::tiles) size = glm::uvec2(settings.tileTexels[view]);
+    const glm::uvec2 place =
+        linear ? glm::uvec2(0) : size * glm::uvec2(view % settings.mapColumns, view / settings.mapColumns);
+    maps.push_back(
+        {{static_cast<std::int32_t>(place.x), static_cast<std::int32_t>(place.y)}, {size.x, size.y}});
+  }
+  return maps;
+}
+
+std::uint64_t texelsOf(const std::vector<VkRect2D>& maps) {
+  std::uint64_t texels = 0;
+  for (const VkRect2D& map : maps) texels += std::uint64_t{map.extent.width} * map.extent.height;
+  return texels;
+}
+
+std::optional<std::string> whyTooLarge(const Method& method, const Device& device) {
+  if (!method.stages) return std::nullopt;
+  const std::uint64_t views = shadowViewsOf(method);
+  if (method.stages->storage == Storage::linear) {
+    std::uint64_t texels = std::uint64_t{method.settings.width} * method.settings.height * views;
+    if (method.stages->partition == Partition::tiles) {
+      texels = 0;
+      for (const std::uint64_t side : method.settings.tileSizes) texels += side * side;
+    }
+    const std::uint64_t most = device.limits().maxStorageBufferRange;
+    if (4 * texels > most)
+      return fmt::format(
+          "its maps take {} bytes of one buffer, this device's have at most {}: ask for smaller ones",
+          4 * texels, most);
+    return std::nullopt;
+  }
+  if (method.stages->storage == Storage::moments) {
+    const std::uint64_t side = std::max(method.settings.width, method.settings.height);
+    if (side > device.limits().maxImageDimension2D)
+      return fmt::format("a map's side has at most {} texels on this device",
+                         device.limits().maxImageDimension2D);
+    if (!(device.limits().sampledImageDepthSampleCounts & VK_SAMPLE_COUNT_4_BIT))
+      return "storage=moments reads four samples of depth a texel, which this device can't";
+    return std::nullopt;
+  }
+  const std::uint64_t columns = mapColumnsOf(method), rows = (views + columns - 1) / columns;
+  const unsigned limit = device.limits().maxImageDimension2D;
+  if (method.settings.width * columns > limit || method.settings.height * rows > limit)
+    return fmt::format("its maps, {} beside each other, must fit into {} texels a side on this device",
+                       columns, limit);
+  return std::nullopt;
+}
+
+std::unique_ptr<Store> makeStore(const Device& device, FramePipelines& pipelines, const Method& method,
+                                 const shared::FrameConstants& constants) {
+  if (method.stages->storage == Storage::linear)
+    return std::make_unique<LinearStore>(device, method, constants);
+  if (method.stages->storage == Storage::moments)
+    return std::make_unique<MomentStore>(device, pipelines, method, constants);
+  return std::make_unique<DepthStore>(device, method, constants);
+}
+
+void drawMaps(VkCommandBuffer command, const std::vector<VkRect2D>& maps, const Store::DrawView& draw) {
+  for (std::uint32_t view = 0; view < maps.size(); ++view) {
+    const VkRect2D& map = maps[view];
+    const VkViewport viewport{static_cast<float>(map.offset.x),
+                              static_cast<float>(map.offset.y),
+                              static_cast<float>(map.extent.width),
+                              static_cast<float>(map.extent.height),
+                              0,
+                              1};
+    vkCmdSetViewport(command, 0, 1, &viewport);
+    vkCmdSetScissor(command, 0, 1, &map);
+    draw(view);
+  }
+}
+
+void bindNoStore(BindingSet& bindings, const GpuImage& unread, VkSampler sampler, const Buffer& unreadToo) {
+  for (const std::uint32_t binding :
+       {shared::kBindStore, shared::kBindMultisampled, shared::kBindMoments, shared::kBindBlurred})
+    bindings.set(binding, unread, sampler);
+  bindings.set(shared::kBindLinear, unreadToo);
+}
+
+}  // namespace sundial

@@ -1,0 +1,53 @@
+// The memory that holds a frame's shadow maps, and how they get there: one class a choice of storage.
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "gpu/pipeline.h"
+#include "shadow/method.h"
+#include "shared/frame.h"
+
+namespace sundial {
+
+class FramePipelines;
+
+// Why this device can't hold the method's maps; nothing if it can, or if the method has none.
+std::optional<std::string> whyTooLarge(const Method&, const Device&);
+
+class Store {
+ public:
+  using DrawView = std::function<void(std::uint32_t view)>;
+
+  Store() = default;
+  Store(const Store&) = delete;
+  Store& operator=(const Store&) = delete;
+  virtual ~Store() = default;
+
+  // Clears all maps, and calls `draw` for each view with viewport and scissor set to its map.
+  virtual void record(VkCommandBuffer, const DrawView& draw) const = 0;
+  // Makes lookups of drawn maps smoother, in a pass of its own.
+  virtual bool filters() const { return false; }
+  virtual void filter(VkCommandBuffer) const {}
+  virtual void bindTo(BindingSet&) const = 0;
+  virtual std::uint64_t texels() const = 0;  // of all maps
+  virtual std::uint64_t bytes() const = 0;   // of memory
+};
+
+// Of a method with a map; `constants` are settled (plan_settings.h).
+std::unique_ptr<Store> makeStore(const Device&, FramePipelines&, const Method&,
+                                 const shared::FrameConstants&);
+
+// Where each view's map lies in an image that holds all, mapColumnsOf() in a row; in a buffer each begins at
+// 0, 0.
+std::vector<VkRect2D> mapsOf(const Method&, const shared::FrameConstants&);
+std::uint64_t texelsOf(const std::vector<VkRect2D>& maps);
+// Draws each view into its map.
+void drawMaps(VkCommandBuffer, const std::vector<VkRect2D>& maps, const Store::DrawView& draw);
+
+// What a store, or a frame without one, has nothing for: see BindingSet.
+void bindNoStore(BindingSet&, const GpuImage& unread, VkSampler, const Buffer& unreadToo);
+
+}  // namespace sundial

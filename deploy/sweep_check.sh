@@ -1,4 +1,5 @@
 #!/bin/bash
+# shellcheck disable=SC2317,SC2004,SC2086  # functions are reached through a trap and by name; numbers have no spaces
 # Shows what a sweep promises, with real servers on this machine:
 #   kill    the client and one of two servers are killed five times each at random moments; the resumed sweep has the
 #           lines of an undisturbed one, byte for byte apart from times

@@ -198,6 +198,16 @@ std::vector<PassTiming> passTimings(const std::vector<Pass>& passes, const std::
   return out;
 }
 
+// Says how often the store pass drew the scene: its triangles, summed over all maps, over the scene's.
+void countScenes(std::vector<PassTiming>& passes, const Scene& scene) {
+  const auto triangles = static_cast<double>(scene.instancedTriangles());
+  for (PassTiming& pass : passes) {
+    if (pass.name != "store" || triangles == 0) continue;
+    const auto drawn = std::ranges::find(pass.work, "primitives", &Work::name);
+    if (drawn != pass.work.end()) pass.work.push_back({"scenes", drawn->count / triangles});
+  }
+}
+
 }  // namespace
 
 std::optional<std::string> whyInvalid(glm::uvec2 size, const std::vector<Method>& methods,
@@ -271,6 +281,7 @@ Result<void> runJob(const JobContext& context, const RenderJob& job, const Inter
     result.repetitions = job.repetitions == 0 ? 0 : static_cast<unsigned>(series->frames.size());
     if (!series->ratios.empty()) result.ratio = quartilesOf(std::move(series->ratios));
     result.passes = passTimings(series->passes, series->frames);
+    countScenes(result.passes, scene);
     if (job.measures) result.measures = measured(context, job, *truth, frame, view, answers);
     result.storeBytes = frame.storeBytes();
     result.totalBytes = frame.totalBytes();

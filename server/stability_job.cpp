@@ -139,7 +139,8 @@ class MethodRun {
   enum class Extent { maps, picture };
 
   // The frame's states of all points; frames in order, because a method may remember the one before.
-  Result<std::vector<PointState>> states(unsigned f, const Interrupt& interrupt, Extent extent = Extent::maps) {
+  Result<std::vector<PointState>> states(unsigned f, const Interrupt& interrupt,
+                                         Extent extent = Extent::maps) {
     const FrameView view = stage_.enter(f);
     frame_.look(view);
     PointsInFrame points = stage_.pointsIn(f, view);

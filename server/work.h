@@ -7,7 +7,8 @@ namespace sundial {
 
 // Pipeline statistics; they repeat exactly.
 struct Work {
-  std::string name;  // "vertices", "primitives", "fragments", "invocations", "rays"
+  std::string name;  // "vertices", "primitives", "fragments", "invocations", "rays"; "scenes": primitives
+                     // over the scene's
   double count = 0;
 };
 

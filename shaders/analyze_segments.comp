@@ -42,6 +42,14 @@ bool segmentOf(ViewSample s, vec2 ls, out uint segment) {
   return true;
 }
 
+// Whether the sample lies in the last part of its partition's depth, which fades into the next.
+bool fades(ViewSample s, uint segment) {
+  if (kSegments == kSegmentAll || kSegments == kSegmentTile) return false;
+  if (frame.settings.blend == 0 || segment + 1 >= frame.settings.partitions) return false;
+  const float begin = analysis.splits[segment], end = analysis.splits[segment + 1];
+  return viewDepth(s.wsPosition, kSegments == kSegmentRadius) > end - frame.settings.blend * (end - begin);
+}
+
 void main() {
   uint current = 0;
   Found found = kNothing;
@@ -62,6 +70,8 @@ void main() {
     found.low = min(found.low, ls);
     found.high = max(found.high, ls);
     ++found.samples;
+    // A sample that fades into the next partition must find itself there too.
+    if (fades(s, segment)) handOver(segment + 1, Found(ls, ls, 0, 0));
     if (kSegments == kSegmentTile) found.importance += importanceOf(viewDepth(s.wsPosition, false));
   }
   if (subgroupAllEqual(current)) {

@@ -1,5 +1,5 @@
-// Partitions along the camera's depth: the cuts against closed forms and a plain k-means, the boxes against brute
-// force, and what doesn't depend on who knows the plan.
+// Partitions along the camera's depth: the cuts against closed forms and a plain k-means, the boxes against
+// brute force, and what doesn't depend on who knows the plan.
 #include <algorithm>
 #include <cmath>
 #include <numeric>
@@ -26,7 +26,8 @@ std::vector<double> cutsOf(const Rendering& r) {
   return cuts;
 }
 
-void expectCuts(const std::vector<double>& cuts, const std::vector<double>& expected, double tolerance = 1e-4) {
+void expectCuts(const std::vector<double>& cuts, const std::vector<double>& expected,
+                double tolerance = 1e-4) {
   ASSERT_EQ(cuts.size(), expected.size());
   for (std::size_t i = 0; i < cuts.size(); ++i)
     EXPECT_NEAR(cuts[i], expected[i], tolerance * expected[i]) << "cut " << i;
@@ -36,7 +37,8 @@ void expectCuts(const std::vector<double>& cuts, const std::vector<double>& expe
 std::vector<double> depthsOf(const Rendering& r, const View& view, const Light& light) {
   std::vector<double> depths;
   for (std::size_t i = 0; i < r.pixels(); ++i)
-    if (r.seen(i) && glm::dot(r.normal(i), light.direction) < -1e-6) depths.push_back(depthOf(view, r.position(i)));
+    if (r.seen(i) && glm::dot(r.normal(i), light.direction) < -1e-6)
+      depths.push_back(depthOf(view, r.position(i)));
   return depths;
 }
 
@@ -71,13 +73,15 @@ TEST_F(FramePartitions, FormulasOfCutsHold) {
                                          corner & 4 ? b.max.z : b.min.z}));
   }
   for (const unsigned parts : {1u, 2u, 5u, 8u})
-    for (const auto& [choice, lambda] :
-         {std::pair("partition=uniform", 0.0), {"partition=log", 1.0}, {"partition=practical,lambda=0.7", 0.7}}) {
+    for (const auto& [choice, lambda] : {std::pair("partition=uniform", 0.0),
+                                         {"partition=log", 1.0},
+                                         {"partition=practical,lambda=0.7", 0.7}}) {
       SCOPED_TRACE(fmt::format("{} {}", choice, parts));
       std::vector<double> expected;
       for (unsigned i = 0; i <= parts; ++i)
         expected.push_back(practical(0.5, far, static_cast<double>(i) / parts, lambda));
-      expectCuts(cutsOf(at(p, fmt::format("pssm,{},partitions={},near=0.5,texels=64", choice, parts))), expected);
+      expectCuts(cutsOf(at(p, fmt::format("pssm,{},partitions={},near=0.5,texels=64", choice, parts))),
+                 expected);
     }
   const std::vector<double> byHand = cutsOf(at(p, "csm,splits=4:12:40,texels=64"));
   EXPECT_EQ((std::vector<double>(byHand.begin() + 1, byHand.end())), (std::vector<double>{4, 12, 40}));
@@ -108,7 +112,9 @@ Place gapped() {
       {.name = "grey", .gpu = {glm::vec4(1), 0, shared::kNoTexture, 0, 0}, .doubleSided = true});
   const auto wall = [&](float x0, float x1, float z) {
     const float half = 0.8f * z;
-    const Primitive square{.positions = {{x0 * half, -half, -z}, {x1 * half, -half, -z}, {x1 * half, half, -z - 0.02f * z},
+    const Primitive square{.positions = {{x0 * half, -half, -z},
+                                         {x1 * half, -half, -z},
+                                         {x1 * half, half, -z - 0.02f * z},
                                          {x0 * half, half, -z - 0.02f * z}},
                            .uvs = {},
                            .colours = {},
@@ -150,7 +156,8 @@ std::vector<double> clusterCuts(const std::vector<double>& depths, double near, 
   for (const double d : depths) ++weights[static_cast<std::size_t>(binOf(d))];
   const auto [low, high] = std::ranges::minmax(depths);
   std::vector<double> means;
-  for (unsigned i = 0; i < parts; ++i) means.push_back(binOf(practical(low, high, (i + 0.5) / parts, 1)) + 0.5);
+  for (unsigned i = 0; i < parts; ++i)
+    means.push_back(binOf(practical(low, high, (i + 0.5) / parts, 1)) + 0.5);
   for (int round = 0; round < 16; ++round) {
     std::vector<double> sum(parts), count(parts);
     for (std::size_t bin = 0; bin < weights.size(); ++bin) {
@@ -166,7 +173,8 @@ std::vector<double> clusterCuts(const std::vector<double>& depths, double near, 
   }
   std::vector<double> cuts{low};
   for (unsigned i = 1; i < parts; ++i)
-    cuts.push_back(std::clamp(near * std::pow(far / near, 0.5 * (means[i - 1] + means[i]) / kBins), low, high));
+    cuts.push_back(
+        std::clamp(near * std::pow(far / near, 0.5 * (means[i - 1] + means[i]) / kBins), low, high));
   cuts.push_back(high);
   return cuts;
 }
@@ -188,7 +196,8 @@ TEST_F(FramePartitions, ClustersAreThoseOfAPlainKMeans) {
 
 TEST_F(FramePartitions, BoxesHoldTheirSamplesAndAreTight) {
   const Place p = place("trees?count=40", "walk", "low");
-  for (const char* method : {"sdsm-log,texels=256", "sdsm-kmeans,texels=256x128,focus=aabb", "sdsm-snapped,texels=256"}) {
+  for (const char* method :
+       {"sdsm-log,texels=256", "sdsm-kmeans,texels=256x128,focus=aabb", "sdsm-snapped,texels=256"}) {
     SCOPED_TRACE(method);
     const Rendering r = at(p, method);
     const bool snapped = r.result.method.stages->focus == Focus::snapped;
@@ -201,7 +210,8 @@ TEST_F(FramePartitions, BoxesHoldTheirSamplesAndAreTight) {
         const double depth =
             snapped ? glm::distance(r.position(i), p.view.eye) : depthOf(p.view, r.position(i));
         const double slack = 1e-5 * depth;
-        if ((v > 0 && depth < view.gpu.depthBegin + slack) || (v < 3 && depth > view.gpu.depthEnd - slack)) continue;
+        if ((v > 0 && depth < view.gpu.depthBegin + slack) || (v < 3 && depth > view.gpu.depthEnd - slack))
+          continue;
         const dvec4 clip = view.shadowFromWorld * dvec4(r.position(i), 1);
         low = glm::min(low, dvec2(clip) / clip.w);
         high = glm::max(high, dvec2(clip) / clip.w);
@@ -237,9 +247,33 @@ TEST_F(FramePartitions, SnappedTexelsArePowersOfTwoOnAGridOfTheWorld) {
   }
 }
 
+TEST_F(FramePartitions, BlendingChangesAnswersInItsBandAlone) {
+  const Place p = place("trees?count=40", "walk", "sun");
+  for (const std::string method : {"csm,texels=256,choose=depth", "sdsm-log,texels=256,choose=depth"}) {
+    const Rendering hard = at(p, method), blended = at(p, method + ",blend=0.4");
+    std::size_t inBand = 0, between = 0, outsideDifferent = 0;
+    for (std::size_t i = 0; i < hard.pixels(); ++i) {
+      if (!hard.answered(i)) continue;
+      const double depth = depthOf(p.view, hard.position(i));
+      bool band = false;
+      for (std::size_t v = 0; v + 1 < hard.plan.size(); ++v) {
+        const double begin = hard.plan[v].gpu.depthBegin, end = hard.plan[v].gpu.depthEnd;
+        band = band || (depth > end - 0.4 * (end - begin) && depth < end);
+      }
+      inBand += band;
+      between += blended.visibility(i) > 0 && blended.visibility(i) < 1;
+      outsideDifferent += !band && blended.visibility(i) > 0 && blended.visibility(i) < 1;
+    }
+    EXPECT_GT(inBand, 1000u) << method;
+    EXPECT_GT(between, 20u) << method << ": the two maps disagree somewhere";
+    EXPECT_EQ(outsideDifferent, 0u) << method;
+  }
+}
+
 TEST_F(FramePartitions, WhoKnowsThePlanChangesNothing) {
   for (const Place& p : {place("trees?count=40", "main", "sun"), place("atrium", "main", "spot")})
-    for (const char* method : {"sdsm-log,texels=256", "csm,texels=256", "iasm", "dv,texels=256", "sm,texels=256"}) {
+    for (const char* method :
+         {"sdsm-log,texels=256", "csm,texels=256", "iasm", "dv,texels=256", "sm,texels=256"}) {
       const Rendering gpu = at(p, method), readback = at(p, fmt::format("{},plan=readback", method));
       EXPECT_EQ(readback.images.at(Aov::visibility).bytes, gpu.images.at(Aov::visibility).bytes) << method;
       EXPECT_EQ(readback.images.at(Aov::colour).bytes, gpu.images.at(Aov::colour).bytes) << method;
@@ -255,7 +289,8 @@ TEST_F(FramePartitions, DelayedPlansOfAStillCameraAreItsOwn) {
     job.methods = {test::method(method), test::method(fmt::format("{},plan=delayed", method))};
     job.repetitions = 2;
     const auto renderings = render(job);
-    EXPECT_EQ(renderings[1].images.at(Aov::visibility).bytes, renderings[0].images.at(Aov::visibility).bytes) << method;
+    EXPECT_EQ(renderings[1].images.at(Aov::visibility).bytes, renderings[0].images.at(Aov::visibility).bytes)
+        << method;
   }
 }
 

@@ -3,8 +3,8 @@
 
 #include <gtest/gtest.h>
 
-#include <glm/gtc/matrix_transform.hpp>
 #include <meshoptimizer.h>
+#include <glm/gtc/matrix_transform.hpp>
 
 #include <limits>
 #include <random>
@@ -287,12 +287,13 @@ Scene boxed(const std::vector<Bounds>& boxes) {
 }
 
 TEST(DefaultView, ShowsAllFromAsNearAsItCan) {
-  const std::vector<std::vector<Bounds>> cases{{{{-1, -1, -1}, {1, 1, 1}}},
-                                               {{{-100, 0, -100}, {100, 0, 100}}},
-                                               {{{0, 0, 0}, {0, 50, 0}}},
-                                               {{{1e6, 1e6, 1e6}, {1e6 + 1, 1e6 + 30, 1e6 + 2}}},
-                                               // A box around these two is mostly empty.
-                                               {{{-50, -9, 40}, {-48, -8, 41}}, {{40, 8, -50}, {41, 9, -48}}}};
+  const std::vector<std::vector<Bounds>> cases{
+      {{{-1, -1, -1}, {1, 1, 1}}},
+      {{{-100, 0, -100}, {100, 0, 100}}},
+      {{{0, 0, 0}, {0, 50, 0}}},
+      {{{1e6, 1e6, 1e6}, {1e6 + 1, 1e6 + 30, 1e6 + 2}}},
+      // A box around these two is mostly empty.
+      {{{-50, -9, 40}, {-48, -8, 41}}, {{40, 8, -50}, {41, 9, -48}}}};
   for (const std::vector<Bounds>& boxes : cases) {
     const Scene scene = boxed(boxes);
     const View view = defaultView(scene);

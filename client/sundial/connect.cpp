@@ -67,7 +67,8 @@ std::vector<std::string_view> eachAddress(std::string_view addresses) {
 Expected<std::shared_ptr<grpc::Channel>> connect(std::string_view addresses) {
   grpc::ChannelArguments arguments;
   arguments.SetInt(GRPC_ARG_INITIAL_RECONNECT_BACKOFF_MS, 50);
-  // gRPC takes this one for the time that a connection's handshake may last: a busy server needs more than 50 ms.
+  // gRPC takes this one for the time that a connection's handshake may last: a busy server needs more than 50
+  // ms.
   arguments.SetInt(GRPC_ARG_MIN_RECONNECT_BACKOFF_MS, 5'000);
   arguments.SetInt(GRPC_ARG_MAX_RECONNECT_BACKOFF_MS, 2000);
   // A machine that vanishes without a word is noticed, however long a rendering says nothing.

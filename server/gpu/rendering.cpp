@@ -19,8 +19,8 @@ VkRenderingAttachmentInfo attachment(VkImageView view, VkImageLayout layout) {
 void render(VkCommandBuffer command, const VkRenderingInfo& info, const std::function<void()>& draw) {
   const VkRect2D area = info.renderArea;
   vkCmdBeginRendering(command, &info);
-  const VkViewport viewport{0, 0, static_cast<float>(area.extent.width), static_cast<float>(area.extent.height),
-                            0, 1};
+  const VkViewport viewport{
+      0, 0, static_cast<float>(area.extent.width), static_cast<float>(area.extent.height), 0, 1};
   vkCmdSetViewport(command, 0, 1, &viewport);
   vkCmdSetScissor(command, 0, 1, &area);
   vkCmdSetCullMode(command, VK_CULL_MODE_NONE);

@@ -18,14 +18,15 @@ void eachCorner(const Scene& scene, Function each) {
     for (std::uint32_t i = mesh.firstCluster; i < mesh.firstCluster + mesh.clusterCount; ++i)
       for (int corner = 0; corner < 8; ++corner) {
         const glm::bvec3 high(corner & 1, corner & 2, corner & 4);
-        each(glm::dvec3(instance.worldFromMesh *
-                        glm::dvec4(glm::mix(scene.clusters[i].boundsMin, scene.clusters[i].boundsMax, high), 1)));
+        each(glm::dvec3(
+            instance.worldFromMesh *
+            glm::dvec4(glm::mix(scene.clusters[i].boundsMin, scene.clusters[i].boundsMax, high), 1)));
       }
   }
 }
 
-// Where a camera stands on one axis across the picture, and how far back it must, so that every point p is inside:
-// |across(p) - place| <= tangent (distance - back(p)).
+// Where a camera stands on one axis across the picture, and how far back it must, so that every point p is
+// inside: |across(p) - place| <= tangent (distance - back(p)).
 struct Fit {
   double low = std::numeric_limits<double>::infinity(), high = -low;
   void add(double across, double back, double tangent) {
@@ -38,8 +39,8 @@ struct Fit {
 
 }  // namespace
 
-// Looks down from the corner of the largest coordinates, from as near as shows all that the scene holds in a square
-// image, with a margin of 5 %.
+// Looks down from the corner of the largest coordinates, from as near as shows all that the scene holds in a
+// square image, with a margin of 5 %.
 View defaultView(const Scene& scene) {
   View view;
   view.verticalFovDegrees = 50;

@@ -115,7 +115,8 @@ std::vector<Pass> Frame::passes() const {
 
   const Pass analyze{.name = "analyze", .record = on(&Frame::analyze)};
   const Pass plan{.name = "plan", .record = on(&Frame::plan)};
-  const Pass cull{.name = "cull", .record = [this](VkCommandBuffer command) { this->cull(command, 1, shadowViews_); }};
+  const Pass cull{.name = "cull",
+                  .record = [this](VkCommandBuffer command) { this->cull(command, 1, shadowViews_); }};
   const Pass store{.name = "store", .record = on(&Frame::store)};
   const Pass filter{.name = "filter", .record = on(&Frame::filter)};
   const Pass resolve{.name = "resolve", .record = on(&Frame::resolve)};
@@ -162,8 +163,8 @@ bool Frame::asksSamples() const {
   return method_.stages->volume == Volume::samples || method_.stages->volume == Volume::inscribed;
 }
 
-// What the view samples say about the volume and its parts; nothing where the host knows the volume, but for where
-// the camera's depth is cut.
+// What the view samples say about the volume and its parts; nothing where the host knows the volume, but for
+// where the camera's depth is cut.
 void Frame::analyze(VkCommandBuffer command) const {
   const Stages& stages = *method_.stages;
   analysedAt_ = view_.origin;
@@ -172,7 +173,8 @@ void Frame::analyze(VkCommandBuffer command) const {
     const VkBufferCopy axes{offsetof(shared::FrameConstants, lightFromWorld),
                             offsetof(shared::Analysis, lightFromWorld), sizeof(glm::mat4)};
     vkCmdCopyBuffer(command, constants_, analysis_, 1, &axes);
-    constexpr VkDeviceSize kOnes = offsetof(shared::Analysis, depthMin), kZeros = offsetof(shared::Analysis, depthMax);
+    constexpr VkDeviceSize kOnes = offsetof(shared::Analysis, depthMin),
+                           kZeros = offsetof(shared::Analysis, depthMax);
     vkCmdFillBuffer(command, analysis_, kOnes, kZeros - kOnes, 0xffffffffu);
     vkCmdFillBuffer(command, analysis_, kZeros, sizeof(shared::Analysis) - kZeros, 0);
     barrier(command);

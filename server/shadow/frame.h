@@ -87,7 +87,7 @@ class Frame {
 
   FrameView view_;
   Method method_;
-  std::uint32_t shadowViews_;  // the plan's most
+  std::uint32_t shadowViews_;                 // the plan's most
   std::optional<MethodPipelines> pipelines_;  // with a map
   Buffer constants_, analysis_, plan_, commands_, visible_, counts_;
   std::unique_ptr<Store> store_;  // with a map

@@ -72,7 +72,9 @@ std::string_view planShader(Partition partition) {
 
 Specialization planConstants(const Stages& stages) {
   if (stages.partition == Partition::tiles)
-    return {stages.focus == Focus::loose ? 0u : stages.focus == Focus::depth ? 1u : 2u,
+    return {stages.focus == Focus::loose   ? 0u
+            : stages.focus == Focus::depth ? 1u
+                                           : 2u,
             stages.resolution == Resolution::ranked};
   if (stages.partition == Partition::single) return {stages.volume == Volume::samples};
   return {stages.focus == Focus::loose ? 0u : stages.focus == Focus::snapped ? 2u : 1u};
@@ -106,8 +108,8 @@ Specialization lookupConstants(const Method& method) {
 FramePipelines::FramePipelines(const Device& device)
     : layout(device),
       gbuffer(makeGraphicsPipeline(device, layout, gbufferOf("gbuffer.vert", "gbuffer.frag", false))),
-      gbufferMasked(
-          makeGraphicsPipeline(device, layout, gbufferOf("gbuffer_masked.vert", "gbuffer_masked.frag", true))),
+      gbufferMasked(makeGraphicsPipeline(device, layout,
+                                         gbufferOf("gbuffer_masked.vert", "gbuffer_masked.frag", true))),
       samples(makeGraphicsPipeline(
           device, layout,
           fullscreenOf("samples.frag", {VK_FORMAT_R32G32B32A32_UINT, VK_FORMAT_R32G32B32A32_UINT}))),
@@ -121,8 +123,8 @@ FramePipelines::FramePipelines(const Device& device)
       storeDepth_(makeGraphicsPipeline(device, layout, storeOf("store_depth.vert", "", false, true))),
       storeDepthMasked_(makeGraphicsPipeline(
           device, layout, storeOf("store_depth_masked.vert", "store_depth_masked.frag", true, true))),
-      storeLinear_(
-          makeGraphicsPipeline(device, layout, storeOf("store_depth.vert", "store_linear.frag", false, false))),
+      storeLinear_(makeGraphicsPipeline(device, layout,
+                                        storeOf("store_depth.vert", "store_linear.frag", false, false))),
       storeLinearMasked_(makeGraphicsPipeline(
           device, layout, storeOf("store_depth_masked.vert", "store_linear_masked.frag", true, false))) {}
 
@@ -172,8 +174,7 @@ VkPipeline FramePipelines::compute(std::string_view shader, const Specialization
 VkPipeline FramePipelines::fullscreen(std::string_view shader, VkFormat format,
                                       const Specialization& constants) {
   const auto [found, added] = variants_.try_emplace({shader, constants});
-  if (added)
-    found->second = makeGraphicsPipeline(device_, layout, fullscreenOf(shader, {format}, constants));
+  if (added) found->second = makeGraphicsPipeline(device_, layout, fullscreenOf(shader, {format}, constants));
   return found->second;
 }
 

@@ -1,5 +1,5 @@
-// Culling on the host, for plans that it has read back: the same draws in the same order as cull_test.comp and
-// cull_write.comp give.
+// Culling on the host, for plans that it has read back: the same draws in the same order as cull_test.comp
+// and cull_write.comp give.
 #pragma once
 
 #include <span>
@@ -9,8 +9,8 @@
 
 namespace sundial {
 
-// One view after another: `commands` has drawCount() a view, each bucket's from where the bucket begins; `counts` has
-// kBuckets a view. Instances are placed relative to `origin`.
+// One view after another: `commands` has drawCount() a view, each bucket's from where the bucket begins;
+// `counts` has kBuckets a view. Instances are placed relative to `origin`.
 void cullOnHost(const SceneBuffers&, const glm::dvec3& origin, const shared::Plan&,
                 std::span<shared::DrawCommand> commands, std::span<std::uint32_t> counts);
 

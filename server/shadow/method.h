@@ -32,16 +32,16 @@ struct MethodRow {
   std::string_view name;
   std::string_view title;
   Technique technique;
-  std::optional<Stages> stages;  // none for methods without a map
-  std::string_view source;       // paper and section
+  std::optional<Stages> stages;                                // none for methods without a map
+  std::string_view source;                                     // paper and section
   std::map<std::string_view, std::string_view> defaults = {};  // of parameters, where they are the row's own
 };
 
 // Who knows the plan, and when: the device alone; the host too, which waits for it, culls and submits what is
 // left; or all use what the samples of the frame before said.
 enum class PlanTiming { gpu, readback, delayed };
-// Where the square of volume=inscribed lies: the camera on the circle inscribed in it, as the paper has it; or turned
-// so that the camera looks along the middle of a column of tiles.
+// Where the square of volume=inscribed lies: the camera on the circle inscribed in it, as the paper has it;
+// or turned so that the camera looks along the middle of a column of tiles.
 enum class Placement { circle, column };
 // Which partition answers: the one made for the sample's depth, or the tightest that contains it.
 enum class Choose { depth, tightest };
@@ -59,13 +59,13 @@ struct Method {
     double lambda = 0.5;         // partition=practical
     std::optional<double> near;  // metres; none: by a rule
     Choose choose = Choose::tightest;
-    double blend = 0;                  // share of a partition's depth
-    std::optional<double> extent;      // volume=inscribed: side of the square, metres; none: by a rule
+    double blend = 0;              // share of a partition's depth
+    std::optional<double> extent;  // volume=inscribed: side of the square, metres; none: by a rule
     Placement placement = Placement::circle;
-    std::vector<unsigned> tileSizes;   // texels a side; as many as tiles
-    double importanceGain = 0;         // m and k of [Alecu 2014, equation 3.1]
+    std::vector<unsigned> tileSizes;        // texels a side; as many as tiles
+    double importanceGain = 0;              // m and k of [Alecu 2014, equation 3.1]
     std::optional<double> importanceRange;  // metres; none: by a rule
-    double biasTexels = 0;                 // towards the light, texels of the map at the receiver
+    double biasTexels = 0;                  // towards the light, texels of the map at the receiver
     std::optional<double> biasWorld;       // towards the light, metres; none: a share of the scene's diagonal
     unsigned kernel = 3;                   // pcf, texels a side
     std::vector<double> exponents;         // storage=moments: positive and negative

@@ -144,8 +144,9 @@ const std::vector<Rule>& rules() {
         .kind = Kind::choice,
         .unit = "",
         .defaultValue = "circle",
-        .description = "circle: the camera stands on the circle inscribed in the square; column: the square is turned "
-                       "so that the camera looks along the middle of tiles, never at a corner of four",
+        .description =
+            "circle: the camera stands on the circle inscribed in the square; column: the square is turned "
+            "so that the camera looks along the middle of tiles, never at a corner of four",
         .choices = {"circle", "column"}},
        tiles},
       {{.name = "importance_gain",
@@ -304,10 +305,10 @@ std::optional<std::string> whyWrong(const Parameter& p, std::string_view value) 
       if (choice) break;
       const auto list = parseList(value);
       const bool whole = p.unit == "texels";
-      if (!list ||
-          !std::ranges::all_of(*list, [&](double v) { return within(p, v) && (!whole || v == std::floor(v)); }))
-        return fmt::format("give {}numbers with colons between them, each in {}{}", whole ? "whole " : "", range,
-                           orChoice);
+      if (!list || !std::ranges::all_of(
+                       *list, [&](double v) { return within(p, v) && (!whole || v == std::floor(v)); }))
+        return fmt::format("give {}numbers with colons between them, each in {}{}", whole ? "whole " : "",
+                           range, orChoice);
       break;
     }
     case Kind::integer: {
@@ -382,8 +383,10 @@ std::optional<std::string> whyInconsistent(const Stages& stages, const Method::S
     return "splits: each must lie behind the one before: 4:12:40";
   if (settings.blend > 0 && settings.choose != Choose::depth)
     return "blend fades one range of depth into the next: use choose=depth with it";
-  if (settings.plan == PlanTiming::delayed && (stages.volume == Volume::scene || stages.volume == Volume::frustum))
-    return "plan=delayed uses what the samples of the frame before said, and this plan asks none: use plan=gpu";
+  if (settings.plan == PlanTiming::delayed &&
+      (stages.volume == Volume::scene || stages.volume == Volume::frustum))
+    return "plan=delayed uses what the samples of the frame before said, and this plan asks none: use "
+           "plan=gpu";
   if (stages.storage == Storage::moments && settings.exponents.size() != 2)
     return fmt::format("exponents: {} of them; give the positive and the negative one: 40:5",
                        settings.exponents.size());
@@ -392,8 +395,10 @@ std::optional<std::string> whyInconsistent(const Stages& stages, const Method::S
     const auto side = static_cast<std::size_t>(std::lround(std::sqrt(static_cast<double>(tiles))));
     if (side * side != tiles || tiles > shared::kMaxShadowViews)
       return fmt::format("tile_sizes: {} of them; give n x n, at most {}", tiles, shared::kMaxShadowViews);
-    if (stages.resolution == Resolution::ranked && !std::ranges::is_sorted(settings.tileSizes, std::greater()))
-      return "tile_sizes: resolution=ranked gives the first to the most important tile: begin with the largest";
+    if (stages.resolution == Resolution::ranked &&
+        !std::ranges::is_sorted(settings.tileSizes, std::greater()))
+      return "tile_sizes: resolution=ranked gives the first to the most important tile: begin with the "
+             "largest";
   }
   return std::nullopt;
 }

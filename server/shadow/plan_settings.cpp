@@ -20,7 +20,8 @@ dvec3 forwardOf(const shared::FrameConstants& c) {
   return {c.clipFromWorld[0].w, c.clipFromWorld[1].w, c.clipFromWorld[2].w};
 }
 
-// Turned about the light so that the camera's axis lies along x; not at all where light and view are parallel.
+// Turned about the light so that the camera's axis lies along x; not at all where light and view are
+// parallel.
 void alignWithCamera(shared::FrameConstants& c) {
   const dvec2 along(dmat4(c.lightFromWorld) * dvec4(forwardOf(c), 0));
   if (glm::length(along) < 1e-4) return;
@@ -67,8 +68,9 @@ std::vector<dvec2> clipped(const std::vector<dvec2>& polygon, const dvec2& norma
   return out;
 }
 
-// The corners of what the camera could see of the scene, in the plane of light space: its frustum down to the scene's
-// farthest depth, as far as the scene's box reaches. The frustum's faces are clipped one by one: their union covers it.
+// The corners of what the camera could see of the scene, in the plane of light space: its frustum down to the
+// scene's farthest depth, as far as the scene's box reaches. The frustum's faces are clipped one by one:
+// their union covers it.
 std::vector<dvec2> seenCorners(const shared::FrameConstants& c) {
   const dmat4 light(c.lightFromWorld);
   const auto inLight = [&](const dvec3& p) { return dvec2(light * dvec4(p, 1)); };
@@ -76,7 +78,8 @@ std::vector<dvec2> seenCorners(const shared::FrameConstants& c) {
   std::array<dvec2, 4> far;
   constexpr int kAround[4][2] = {{0, 0}, {1, 0}, {1, 1}, {0, 1}};
   for (int i = 0; i < 4; ++i) {
-    const dvec3 ray = dvec3(c.wsRayTopLeft) + kAround[i][0] * double(c.imageSize.x) * dvec3(c.wsRayPerPixelX) +
+    const dvec3 ray = dvec3(c.wsRayTopLeft) +
+                      kAround[i][0] * double(c.imageSize.x) * dvec3(c.wsRayPerPixelX) +
                       kAround[i][1] * double(c.imageSize.y) * dvec3(c.wsRayPerPixelY);
     far[i] = inLight(dvec3(c.wsEye) + double{c.sceneDepth} * ray);
   }
@@ -163,8 +166,8 @@ void settle(shared::FrameConstants& c, const Method& method, const dvec3& origin
   to.depthFar = c.sceneDepth;
   to.depthNear = c.nearDistance;
   if (stages.volume == Volume::frustum)
-    to.depthNear = static_cast<float>(
-        std::min(from.near.value_or(std::max(1e-3 * c.sceneDepth, double{c.nearDistance})), 0.999 * c.sceneDepth));
+    to.depthNear = static_cast<float>(std::min(
+        from.near.value_or(std::max(1e-3 * c.sceneDepth, double{c.nearDistance})), 0.999 * c.sceneDepth));
   to.lambda = static_cast<float>(from.lambda);
   to.blend = static_cast<float>(from.blend);
   for (std::uint32_t i = 0; i < from.partitions && i < shared::kMaxPartitions; ++i)
@@ -193,7 +196,8 @@ void settle(shared::FrameConstants& c, const Method& method, const dvec3& origin
   to.importanceRange = static_cast<float>(from.importanceRange.value_or(0.25 * square.side));
   // As fine as sums of all pixels allow in 32 bits.
   const double pixels = double(c.imageSize.x) * c.imageSize.y;
-  to.importanceUnit = static_cast<float>(std::clamp(std::floor(4e9 / (pixels * (1 + from.importanceGain)) - 1), 1.0, 256.0));
+  to.importanceUnit =
+      static_cast<float>(std::clamp(std::floor(4e9 / (pixels * (1 + from.importanceGain)) - 1), 1.0, 256.0));
 }
 
 }  // namespace sundial

@@ -1,5 +1,5 @@
-// What the host adds to a method's parameters so that the device can plan: shared::PlanSettings, and the axes of
-// light space that the method wants.
+// What the host adds to a method's parameters so that the device can plan: shared::PlanSettings, and the axes
+// of light space that the method wants.
 #pragma once
 
 #include "shadow/method.h"
@@ -7,8 +7,9 @@
 
 namespace sundial {
 
-// Fills `settings` and the store's size, and turns light space about the light where the focus asks for it. From the
-// constants of view, light and scene (frameConstants()) and where the frame's origin lies in the world.
+// Fills `settings` and the store's size, and turns light space about the light where the focus asks for it.
+// From the constants of view, light and scene (frameConstants()) and where the frame's origin lies in the
+// world.
 void settle(shared::FrameConstants&, const Method&, const glm::dvec3& origin);
 
 // How many shadow views the method's plan has at most.

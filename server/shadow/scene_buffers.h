@@ -18,7 +18,7 @@ class SceneBuffers {
   const Scene& scene() const { return *scene_; }
   // A multiple of shared::kDrawsPerChunk.
   std::uint32_t drawCount() const { return static_cast<std::uint32_t>(drawList_.size()); }
-  std::span<const shared::Draw> draws() const { return drawList_; }  // sorted by bucket
+  std::span<const shared::Draw> draws() const { return drawList_; }                     // sorted by bucket
   const std::array<glm::uvec2, shared::kBuckets>& buckets() const { return buckets_; }  // first chunk, chunks
   bool plainColours() const { return plainColours_; }  // no textures, all vertex colours white
   VkDeviceSize bytes() const;

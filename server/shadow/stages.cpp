@@ -73,19 +73,24 @@ std::optional<std::string> whyImpossible(const Stages& stages) {
   if (tiles != (stages.volume == Volume::inscribed))
     return "partition=tiles cuts the square of volume=inscribed, and nothing else does: use both or neither";
   if (cutsDepth(stages.partition) && stages.volume == Volume::scene)
-    return "a partition along the camera's depth needs to know the camera: use volume=frustum or volume=samples";
+    return "a partition along the camera's depth needs to know the camera: use volume=frustum or "
+           "volume=samples";
   if (single && stages.volume == Volume::frustum)
-    return "volume=frustum is bounded by ranges of depth: use a partition along it, partition=log,partitions=1 "
+    return "volume=frustum is bounded by ranges of depth: use a partition along it, "
+           "partition=log,partitions=1 "
            "for one map";
   if ((stages.partition == Partition::adaptive || stages.partition == Partition::kmeans) && !samples)
-    return "partition=adaptive and partition=kmeans look at the histogram of the view samples: use volume=samples";
+    return "partition=adaptive and partition=kmeans look at the histogram of the view samples: use "
+           "volume=samples";
   if (tiles != (stages.resolution != Resolution::fixed))
-    return "tiles, and nothing else, share out a list of sizes: use partition=tiles with resolution=ranked or listed";
+    return "tiles, and nothing else, share out a list of sizes: use partition=tiles with resolution=ranked "
+           "or listed";
   if (tiles && stages.storage != Storage::linear)
     return "tiles of different sizes don't fit an image: use storage=linear";
   if ((stages.storage == Storage::moments) != (stages.lookup == Lookup::evsm))
     return "moments of depth are read by lookup=evsm, and by nothing else: use it with storage=moments";
-  if (stages.focus == Focus::depth && !tiles) return "focus=depth fits near and far of tiles: use partition=tiles";
+  if (stages.focus == Focus::depth && !tiles)
+    return "focus=depth fits near and far of tiles: use partition=tiles";
   if ((stages.focus == Focus::aligned || stages.focus == Focus::snapped) && !samples)
     return "focus=aligned and focus=snapped fit boxes to the view samples, which volume=samples looks at";
   if (stages.focus == Focus::snapped && single)

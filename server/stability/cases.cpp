@@ -42,6 +42,66 @@ std::span<const StabilityCase> stabilityCases() {
                     .methods = "dv,texels=1024 sm,texels=1024",
                     .measure = "flip_rate",
                     .failsAbove = 0.0005},
+      StabilityCase{.name = "pssm-uniform",
+                    .sentence =
+                        "A mixture of cuts that suits a view from afar, on a roof with something near: "
+                        "the nearest partition is a quarter of all depth.",
+                    .scene = "builtin:city",
+                    .view = "roof",
+                    .light = "sun",
+                    .methods = "pssm,lambda=0,texels=512 sdsm-log,texels=512",
+                    .measure = "wrong_rate",
+                    .failsAbove = 0.02},
+      StabilityCase{.name = "csm-nothing-near",
+                    .sentence =
+                        "Cascades cut by hand for a walk, seen from above: the near ones are empty, and the "
+                        "last ends before what is seen.",
+                    .scene = "builtin:trees",
+                    .view = "above",
+                    .light = "sun",
+                    .methods = "csm,splits=4:12:120,texels=512 sdsm-log,texels=512",
+                    .measure = "wrong_rate",
+                    .failsAbove = 0.05},
+      StabilityCase{.name = "sdsm-pan",
+                    .sentence = "A slow pan: every frame's samples lie a little otherwise, so every frame's "
+                                "partitions do, and edges shimmer.",
+                    .scene = "builtin:atrium",
+                    .path = "pan",
+                    .light = "sun",
+                    .methods = "sdsm-log,texels=512 sdsm-snapped,texels=512",
+                    .measure = "flip_rate",
+                    .failsAbove = 0.001},
+      StabilityCase{.name = "sdsm-near-leaf",
+                    .sentence = "A leaf comes near the camera: the range of depth begins with it, and all "
+                                "partitions move.",
+                    .scene = "builtin:city",
+                    .path = "near-leaf",
+                    .light = "sun",
+                    .methods = "sdsm-log,texels=512 sdsm-snapped,texels=512",
+                    .measure = "flip_rate",
+                    .failsAbove = 0.001,
+                    .frames = 12},
+      StabilityCase{
+          .name = "sdsm-kmeans-swap",
+          .sentence = "Clusters of depth change places while the camera turns: a partition's texels grow or "
+                      "shrink many times over from one frame to the next.",
+          .scene = "builtin:city",
+          .path = "near-leaf",
+          .light = "sun",
+          .methods = "sdsm-kmeans,texels=512 sdsm-log,texels=512",
+          .measure = "texel_jump",
+          .failsAbove = 1,
+          .frames = 12},
+      StabilityCase{.name = "iasm-cut",
+                    .sentence =
+                        "The camera cuts from a wall to open space; tiles planned from what the frame before "
+                        "saw lie flagged as empty where shadows are now.",
+                    .scene = "builtin:atrium",
+                    .path = "turn",
+                    .light = "sun",
+                    .methods = "iasm-delayed iasm",
+                    .measure = "pop",
+                    .failsAbove = 0.05},
       StabilityCase{.name = "far-from-origin",
                     .sentence =
                         "The scene lies 140 km from the origin, where single precision is 16 mm coarse: "

@@ -21,18 +21,18 @@ SUNDIAL_CONST kStorageBindings = 9u;
 // words one by one and lane by lane.
 SUNDIAL_CONST kBindVertices = 9u;     // RGBA32UI: Vertex
 SUNDIAL_CONST kBindAttributes = 10u;  // RGBA32UI: Attributes
-SUNDIAL_CONST kBindTriangles = 11u;  // RGBA32UI: Triangle
-SUNDIAL_CONST kBindDraws = 12u;      // RG32UI: Draw
-SUNDIAL_CONST kBindInstances = 13u;  // RGBA32F: a row of Instance
+SUNDIAL_CONST kBindTriangles = 11u;   // RGBA32UI: Triangle
+SUNDIAL_CONST kBindDraws = 12u;       // RG32UI: Draw
+SUNDIAL_CONST kBindInstances = 13u;   // RGBA32F: a row of Instance
 SUNDIAL_CONST kTexelBindings = 14u;
 
-SUNDIAL_CONST kBindTextures = 14u;    // sampler2DArray: base colour
-SUNDIAL_CONST kBindDepth = 15u;       // sampler2D: the G-buffer's depth
-SUNDIAL_CONST kBindIds = 16u;         // usampler2D: the G-buffer's draw and triangle
-SUNDIAL_CONST kBindPositions = 17u;   // usampler2D: view samples, position's bits and instance
-SUNDIAL_CONST kBindNormals = 18u;     // usampler2D: view samples, normal's bits and triangle
-SUNDIAL_CONST kBindStore = 19u;       // sampler2D: the shadow maps
-SUNDIAL_CONST kBindVisibility = 20u;  // sampler2D: what resolve wrote
+SUNDIAL_CONST kBindTextures = 14u;      // sampler2DArray: base colour
+SUNDIAL_CONST kBindDepth = 15u;         // sampler2D: the G-buffer's depth
+SUNDIAL_CONST kBindIds = 16u;           // usampler2D: the G-buffer's draw and triangle
+SUNDIAL_CONST kBindPositions = 17u;     // usampler2D: view samples, position's bits and instance
+SUNDIAL_CONST kBindNormals = 18u;       // usampler2D: view samples, normal's bits and triangle
+SUNDIAL_CONST kBindStore = 19u;         // sampler2D: the shadow maps
+SUNDIAL_CONST kBindVisibility = 20u;    // sampler2D: what resolve wrote
 SUNDIAL_CONST kBindMultisampled = 21u;  // sampler2DMS: the depths of one view, storage=moments
 SUNDIAL_CONST kBindMoments = 22u;       // sampler2DArray: a layer a view
 SUNDIAL_CONST kBindBlurred = 23u;       // sampler2DArray: a view half-way through its blur

@@ -16,9 +16,9 @@ struct ShadowView {
   mat4 shadowFromWorld;  // from world space relative to the frame's origin (FrameConstants)
   vec3 lsMin;            // the same box in light space after division: what lookups read, it is less
   vec3 lsMax;
-  uvec2 rectOffset;      // texels, in the store's image
-  uvec2 rectSize;        // texels
-  vec2 texelSize;        // directional: metres; spot: metres at one metre from the light
+  uvec2 rectOffset;  // texels, in the store's image
+  uvec2 rectSize;    // texels
+  vec2 texelSize;    // directional: metres; spot: metres at one metre from the light
   float
       nearDistance;  // along the light, metres: directional from the light-space origin, spot from the light
   float farDistance;
@@ -26,19 +26,20 @@ struct ShadowView {
   uint importance;    // summed, in units of PlanSettings::importanceUnit; 0 where nothing ranks by it
   uint empty;         // 1: nothing to draw
   uint linearOffset;  // texels, in the store's buffer (storage=linear)
-  float depthBegin;   // the range of the camera's depth that it was made for, metres; 0 and 0 where there is none
+  float depthBegin;   // the range of the camera's depth that it was made for, metres; 0 and 0 where there is
+                      // none
   float depthEnd;
   uint tile;  // y * tilesPerSide + x (partition=tiles)
   uint padding;
 };
 
 struct Plan {
-  mat4 lightFromWorld;   // the axes of light space that all views share
-  mat4 worldFromLight;   // its inverse: carries planes from world to light space
+  mat4 lightFromWorld;  // the axes of light space that all views share
+  mat4 worldFromLight;  // its inverse: carries planes from world to light space
   uint viewCount;
-  uint tilesPerSide;     // 0: no tiles
-  vec2 lsSquareMin;      // tiles: the corner of the first, in light space after division
-  float lsTileSide;      // metres; spot: at one metre from the light
+  uint tilesPerSide;  // 0: no tiles
+  vec2 lsSquareMin;   // tiles: the corner of the first, in light space after division
+  float lsTileSide;   // metres; spot: at one metre from the light
   uint padding0;
   uint padding1;
   uint padding2;
@@ -51,10 +52,11 @@ struct PlanSettings {
   uvec2 mapSize;    // texels of each map
   uint mapColumns;  // maps in a row of the store's image
   uint partitions;
-  float depthNear;  // camera depths that splits are made between (volume=frustum) and that the histogram spans, metres
+  float depthNear;  // camera depths that splits are made between (volume=frustum) and that the histogram
+                    // spans, metres
   float depthFar;
-  float lambda;  // practical split: 1 is logarithmic, 0 uniform
-  float blend;   // share of a partition's depth in which it fades into the next
+  float lambda;                  // practical split: 1 is logarithmic, 0 uniform
+  float blend;                   // share of a partition's depth in which it fades into the next
   float splits[kMaxPartitions];  // manual: where each partition ends, metres
   // Where the frame's origin lies on the grids of focus=snapped: light space, metres, modulo kSnapPeriod.
   vec2 lsOriginOnGrid;
@@ -65,8 +67,8 @@ struct PlanSettings {
   vec2 lsSquareMin;       // volume=inscribed
   float lsSquareSide;
   uint tileTexels[kMaxShadowViews];  // a side, of view v
-  // How far beyond its own samples or part of the scene a view is drawn at least, light space after division: to this
-  // depth, and by this much to each side.
+  // How far beyond its own samples or part of the scene a view is drawn at least, light space after division:
+  // to this depth, and by this much to each side.
   float lsFar;
   float lsReach;
   float rimTexels;  // about a map, where lookups would look beyond it
@@ -76,19 +78,20 @@ SUNDIAL_CONST kSnapPeriod = 4096u;  // metres, the coarsest texel of focus=snapp
 SUNDIAL_CONST kDepthBins = 512u;
 
 // What the analysis of the view samples found: floats in an order-preserving code, so that integer atomics
-// reduce them and the result depends on no order. A segment is a partition or a tile; without either there is one.
+// reduce them and the result depends on no order. A segment is a partition or a tile; without either there is
+// one.
 struct Analysis {
-  mat4 lightFromWorld;                  // FrameConstants' when this was found: the axes of all bounds
-  float splits[kMaxPartitions + 1];     // partition i has camera depths from [i] to [i + 1], metres
+  mat4 lightFromWorld;               // FrameConstants' when this was found: the axes of all bounds
+  float splits[kMaxPartitions + 1];  // partition i has camera depths from [i] to [i + 1], metres
   // From here on cleared to ones,
-  uint depthMin;                        // 0xffffffff: no sample
+  uint depthMin;  // 0xffffffff: no sample
   uint lsMin[3 * kMaxShadowViews];
   // and from here on to zeros.
   uint depthMax;
   uint lsMax[3 * kMaxShadowViews];
   uint sampleCount[kMaxShadowViews];
   uint importance[kMaxShadowViews];
-  uint depthHistogram[kDepthBins];      // samples, over the logarithm of depth from depthNear to depthFar
+  uint depthHistogram[kDepthBins];  // samples, over the logarithm of depth from depthNear to depthFar
 };
 
 SUNDIAL_SHARED_END

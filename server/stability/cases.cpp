@@ -44,14 +44,14 @@ std::span<const StabilityCase> stabilityCases() {
                     .failsAbove = 0.0005},
       StabilityCase{.name = "pssm-uniform",
                     .sentence =
-                        "A mixture of cuts that suits a view from afar, on a roof with something near: "
-                        "the nearest partition is a quarter of all depth.",
-                    .scene = "builtin:city",
-                    .view = "roof",
+                        "A mixture of cuts that suits a view from afar, used close up: the nearest partition "
+                        "is a quarter of the scene's depth.",
+                    .scene = "builtin:grid?n=40",
+                    .view = "shadows",
                     .light = "sun",
                     .methods = "pssm,lambda=0,texels=512 sdsm-log,texels=512",
                     .measure = "wrong_rate",
-                    .failsAbove = 0.02},
+                    .failsAbove = 0.003},
       StabilityCase{.name = "csm-nothing-near",
                     .sentence =
                         "Cascades cut by hand for a walk, seen from above: the near ones are empty, and the "
@@ -101,7 +101,7 @@ std::span<const StabilityCase> stabilityCases() {
                     .light = "sun",
                     .methods = "iasm-delayed iasm",
                     .measure = "pop",
-                    .failsAbove = 0.05},
+                    .failsAbove = 0.02},
       StabilityCase{.name = "far-from-origin",
                     .sentence =
                         "The scene lies 140 km from the origin, where single precision is 16 mm coarse: "

@@ -21,7 +21,8 @@ inline std::vector<Method> fingerprintMethods() {
                                  method("csm,texels=256,choose=depth,blend=0.2"),
                                  method("sdsm-log,texels=256,plan=readback")};
   for (const MethodRow& row : methodTable()) {
-    const bool sized = std::ranges::any_of(parametersOf(row), [](const Parameter& p) { return p.name == "texels"; });
+    const bool sized =
+        std::ranges::any_of(parametersOf(row), [](const Parameter& p) { return p.name == "texels"; });
     methods.push_back(method(fmt::format("{}{}", row.name, sized ? ",texels=256" : "")));
   }
   return methods;

@@ -4,8 +4,8 @@
 #include <grpcpp/health_check_service_interface.h>
 #include <grpcpp/security/server_credentials.h>
 #include <grpcpp/server_builder.h>
-#include <stdlib.h>
 
+#include <cstdlib>
 #include <span>
 #include <stdexcept>
 

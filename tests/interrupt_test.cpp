@@ -26,7 +26,7 @@ class Interrupted : public ::testing::Test {
 
   std::vector<std::string> began;
 
-  Pass onHost(std::string_view name, std::function<void()> work = {}) {
+  Pass onHost(std::string_view name, const std::function<void()>& work = {}) {
     return {.name = name, .record = {}, .host = [this, name, work] {
               began.emplace_back(name);
               if (work) work();

@@ -1,8 +1,8 @@
 // `sundial sweep` against servers that misbehave: every case becomes one line, whatever happens on the way.
 #include <gtest/gtest.h>
-#include <signal.h>
 
 #include <algorithm>
+#include <csignal>
 #include <filesystem>
 #include <fstream>
 #include <future>

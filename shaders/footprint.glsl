@@ -1,6 +1,6 @@
 // What of a map a pixel covers, and the moments there.
 //
-// By hand, not by textureGrad: lavapipe takes one level for four neighbouring pixels, and answers must not depend on
+// By hand, not by textureGrad: with lavapipe's anisotropic sampler many more pixels were wrong, and answers must not depend on
 // neighbours (they may lie on other surfaces, or be strangers). And a footprint that is longer than `anisotropy` allows
 // is shortened instead of taken from a coarser level, which would blur it both ways: seen edge-on, a groove's wall would
 // have half the map for its footprint.

@@ -185,8 +185,10 @@ void Frame::analyze(VkCommandBuffer command) const {
       dispatch(command, pipelines_->analyzeDepths, samples);
     dispatch(command, pipelines_->analyzeSplits, 1);
   }
-  if (asksSamples()) dispatch(command, pipelines_->analyzeSegments, samples);
-  if (stages.partition == Partition::tiles && stages.focus == Focus::loose)
+  const bool tiles = stages.partition == Partition::tiles;
+  if (asksSamples() && (tiles || stages.focus != Focus::loose))
+    dispatch(command, pipelines_->analyzeSegments, samples);
+  if (tiles && stages.focus == Focus::loose)
     dispatch(command, pipelines_->analyzeCasters, groups(view_.scene.drawCount(), 64));
 }
 

@@ -132,15 +132,20 @@ MethodPipelines FramePipelines::of(const Method& method) {
   const Stages& stages = *method.stages;
   const bool histogram = stages.partition == Partition::adaptive || stages.partition == Partition::kmeans;
   MethodPipelines made{
-      .analyzeDepths = compute("analyze_depths.comp", {histogram, stages.focus == Focus::snapped}),
-      .analyzeSplits = compute("analyze_splits.comp", splitsConstants(stages)),
-      .analyzeSegments = compute("analyze_segments.comp", segmentsConstants(stages)),
-      .analyzeCasters = compute("analyze_casters.comp", {}),
       .plan = compute(planShader(stages.partition), planConstants(stages)),
       .store = storeDepth_,
       .storeMasked = storeDepthMasked_,
       .resolve = fullscreen(lookupShader(stages.lookup), VK_FORMAT_R32_SFLOAT, lookupConstants(method)),
       .answers = fullscreen("answers.frag", VK_FORMAT_R32G32B32A32_UINT, lookupConstants(method))};
+  // A pipeline that isn't used would still be compiled: a cold start is short of that time.
+  const bool samples = stages.volume == Volume::samples || stages.volume == Volume::inscribed;
+  if (cutsDepth(stages.partition)) {
+    made.analyzeSplits = compute("analyze_splits.comp", splitsConstants(stages));
+    if (samples)
+      made.analyzeDepths = compute("analyze_depths.comp", {histogram, stages.focus == Focus::snapped});
+  }
+  if (samples) made.analyzeSegments = compute("analyze_segments.comp", segmentsConstants(stages));
+  if (stages.partition == Partition::tiles) made.analyzeCasters = compute("analyze_casters.comp", {});
   if (stages.storage == Storage::linear) {
     made.store = storeLinear_;
     made.storeMasked = storeLinearMasked_;

@@ -11,9 +11,12 @@ namespace sundial {
 
 // What the stages' choices select.
 struct MethodPipelines {
-  VkPipeline analyzeDepths, analyzeSplits, analyzeSegments, analyzeCasters, plan;
+  VkPipeline plan;
   VkPipeline store, storeMasked;
   VkPipeline resolve, answers;
+  // Where samples are asked, depth is cut, or tiles are fitted to casters.
+  VkPipeline analyzeDepths = VK_NULL_HANDLE, analyzeSplits = VK_NULL_HANDLE;
+  VkPipeline analyzeSegments = VK_NULL_HANDLE, analyzeCasters = VK_NULL_HANDLE;
   // storage=moments alone.
   VkPipeline moments = VK_NULL_HANDLE, blurAcross = VK_NULL_HANDLE, blurDown = VK_NULL_HANDLE;
 };

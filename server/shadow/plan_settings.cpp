@@ -194,10 +194,9 @@ void settle(shared::FrameConstants& c, const Method& method, const dvec3& origin
   to.lsSquareSide = static_cast<float>(square.side);
   to.importanceGain = static_cast<float>(from.importanceGain);
   to.importanceRange = static_cast<float>(from.importanceRange.value_or(0.25 * square.side));
-  // As fine as sums of all pixels allow in 32 bits.
+  // As fine as sums of all pixels allow in 32 bits; coarser than a unit where there are very many.
   const double pixels = double(c.imageSize.x) * c.imageSize.y;
-  to.importanceUnit =
-      static_cast<float>(std::clamp(std::floor(4e9 / (pixels * (1 + from.importanceGain)) - 1), 1.0, 256.0));
+  to.importanceUnit = static_cast<float>(std::min(4e9 / (pixels * (1 + from.importanceGain)), 256.0));
 }
 
 }  // namespace sundial

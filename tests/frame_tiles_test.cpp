@@ -87,6 +87,33 @@ TEST_F(FrameTiles, ImportanceIsTheSumOfItsSamples) {
   }
 }
 
+TEST_F(FrameTiles, ExtentIsTheSquaresSide) {
+  const auto scene = builtin("trees?count=40");
+  for (const double extent : {30.0, 77.0}) {
+    const Rendering r = render(scene, viewOf(*scene, "walk"), lightOf(*scene, "sun"), kSize,
+                               fmt::format("iasm,extent={}", extent));
+    for (const PlanView& view : r.plan)
+      EXPECT_NEAR(view.gpu.texelSize.x * static_cast<float>(view.gpu.rectSize.x), extent / 4, 1e-3 * extent);
+  }
+}
+
+TEST_F(FrameTiles, AColumnsCameraLooksAlongTheMiddleOfTiles) {
+  const auto scene = builtin("trees?count=40");
+  const View view = viewOf(*scene, "walk");
+  const Rendering r = render(scene, view, lightOf(*scene, "sun"), kSize, "iasm,placement=column,extent=80");
+  // At every depth the view's centre lies half-way between the sides of the tile that it is in.
+  std::size_t inside = 0;
+  for (const double depth : {1.0, 7.0, 18.0, 33.0})
+    for (const PlanView& tile : r.plan) {
+      const dvec4 clip =
+          tile.shadowFromWorld * dvec4(view.eye + depth * glm::normalize(view.target - view.eye), 1);
+      if (glm::any(glm::greaterThan(glm::abs(dvec2(clip)), dvec2(clip.w)))) continue;
+      ++inside;
+      EXPECT_NEAR(clip.y / clip.w, 0, 1e-3);
+    }
+  EXPECT_GE(inside, 4u);
+}
+
 TEST_F(FrameTiles, ListedSizesStayWithTheirTiles) {
   const auto scene = builtin("trees?count=40");
   const Rendering r = render(scene, viewOf(*scene, "walk"), lightOf(*scene, "sun"), kSize,

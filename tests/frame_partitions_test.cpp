@@ -270,6 +270,26 @@ TEST_F(FramePartitions, BlendingChangesAnswersInItsBandAlone) {
   }
 }
 
+TEST_F(FramePartitions, ByDepthOrTheTightestThatContainsTheSample) {
+  const Place p = place("trees?count=40", "walk", "sun");
+  const Rendering byDepth = at(p, "sdsm-log,texels=256,choose=depth");
+  const Rendering tightest = at(p, "sdsm-log,texels=256,choose=tightest");
+  const auto area = [](const PlanView& view) { return view.gpu.texelSize.x * view.gpu.texelSize.y; };
+  std::size_t wrongDepth = 0, looser = 0, tighter = 0;
+  for (std::size_t i = 0; i < byDepth.pixels(); ++i) {
+    if (!byDepth.answered(i) || !tightest.answered(i)) continue;
+    const PlanView& its = byDepth.plan[byDepth.at<std::uint32_t>(Aov::view, i)];
+    const double depth = depthOf(p.view, byDepth.position(i)), slack = 1e-4 * depth;
+    wrongDepth += depth < its.gpu.depthBegin - slack || depth > its.gpu.depthEnd + slack;
+    const PlanView& other = tightest.plan[tightest.at<std::uint32_t>(Aov::view, i)];
+    looser += area(other) > area(its);
+    tighter += area(other) < area(its);
+  }
+  EXPECT_EQ(wrongDepth, 0u);
+  EXPECT_EQ(looser, 0u);
+  EXPECT_GT(tighter, 100u);
+}
+
 TEST_F(FramePartitions, WhoKnowsThePlanChangesNothing) {
   for (const Place& p : {place("trees?count=40", "main", "sun"), place("atrium", "main", "spot")})
     for (const char* method :

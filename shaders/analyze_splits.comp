@@ -10,11 +10,11 @@
 // from the logarithmic splits; the paper names neither.
 #include "depth_bins.glsl"
 #include "ordered.glsl"
+#include "shared/choices.h"
 
 layout(local_size_x = 1) in;
 
-const uint kManual = 0, kUniform = 1, kLog = 2, kPractical = 3, kAdaptive = 4, kKmeans = 5;
-layout(constant_id = 0) const uint kScheme = kLog;
+layout(constant_id = 0) const uint kScheme = kCutLog;
 layout(constant_id = 1) const bool kFromSamples = false;  // the range is theirs; otherwise the host's
 layout(constant_id = 2) const bool kSnapped = false;      // the range is rounded outwards to powers of two
 
@@ -75,15 +75,15 @@ void main() {
   }
   analysis.splits[0] = near;
   analysis.splits[parts] = far;
-  if (kScheme == kManual) {
+  if (kScheme == kCutManual) {
     for (uint i = 1; i <= parts; ++i) analysis.splits[i] = frame.settings.splits[i - 1];
-  } else if (kScheme == kAdaptive) {
+  } else if (kScheme == kCutAdaptive) {
     splitAdaptively(near, far);
-  } else if (kScheme == kKmeans) {
+  } else if (kScheme == kCutKmeans) {
     splitByClusters(near, far);
   } else {
     for (uint i = 1; i < parts; ++i) {
-      const float lambda = kScheme == kLog ? 1 : kScheme == kUniform ? 0 : frame.settings.lambda;
+      const float lambda = kScheme == kCutLog ? 1 : kScheme == kCutUniform ? 0 : frame.settings.lambda;
       analysis.splits[i] = practical(near, far, float(i) / float(parts), lambda);
     }
   }

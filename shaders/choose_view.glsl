@@ -2,11 +2,11 @@
 #ifndef SUNDIAL_CHOOSE_VIEW_GLSL
 #define SUNDIAL_CHOOSE_VIEW_GLSL
 #include "bindings.glsl"
+#include "shared/choices.h"
 #include "tiles.glsl"
 #include "view_depth.glsl"
 
-const uint kOnly = 0, kByDepth = 1, kByRadius = 2, kTightest = 3, kByTile = 4;
-layout(constant_id = 1) const uint kChoice = kOnly;
+layout(constant_id = 1) const uint kChoice = kChooseOnly;
 // The plan's most views: a constant, so that a plan of one is read at a constant place, which is cheap everywhere.
 layout(constant_id = 2) const uint kPlanViews = 1;
 layout(constant_id = 3) const bool kBlend = false;
@@ -28,7 +28,7 @@ bool covers(uint view, vec4 light, vec2 lsRim) {
 // A tile's rim belongs to it up to rounding.
 bool covers(uint view, vec4 light) {
   const vec2 size = plan.views[view].lsMax.xy - plan.views[view].lsMin.xy;
-  return covers(view, light, kChoice == kByTile ? -1e-5 * size : vec2(0));
+  return covers(view, light, kChoice == kChooseTile ? -1e-5 * size : vec2(0));
 }
 
 // With all that a lookup looks at.
@@ -61,12 +61,12 @@ uint tightest(vec4 light, uint otherwise) {
 Choice chooseView(ViewSample s) {
   Choice c = Choice(0, 0, 0.0);
   const vec4 light = plan.lightFromWorld * vec4(s.wsPosition, 1);
-  if (kChoice == kByTile) {
+  if (kChoice == kChooseTile) {
     uint tile;
     const bool inside = tileAt(light.xy / light.w, plan.lsSquareMin, plan.lsTileSide, plan.tilesPerSide, tile);
     c.view = inside ? plan.viewOfTile[tile] : kNoShadowView;
-  } else if (kChoice != kOnly) {
-    const float depth = viewDepth(s.wsPosition, kChoice == kByRadius);
+  } else if (kChoice != kChooseOnly) {
+    const float depth = viewDepth(s.wsPosition, kChoice == kChooseRadius);
     c.view = partitionAt(depth);
     if (kBlend && c.view + 1 < plan.viewCount) {
       const float begin = plan.views[c.view].depthBegin, end = plan.views[c.view].depthEnd;
@@ -75,7 +75,7 @@ Choice chooseView(ViewSample s) {
       c.next = c.view + 1;
       if (!covers(c.next, light)) c.nextWeight = 0;
     }
-    if (kChoice == kTightest) c.view = tightest(light, c.view);
+    if (kChoice == kChooseTightest) c.view = tightest(light, c.view);
   }
   if (c.view != kNoShadowView && !covers(c.view, light)) c.view = kNoShadowView;
   return c;

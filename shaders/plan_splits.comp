@@ -6,11 +6,11 @@
 //   snapped  the same, with sides of powers of two texel by texel and corners on a grid that is fixed in the world, so
 //            that a texel that stays in the map stays where it is [section 5.3]
 #include "plan_view.glsl"
+#include "shared/choices.h"
 
 layout(local_size_x = kMaxPartitions) in;
 
-const uint kLoose = 0, kSamples = 1, kSnapped = 2;
-layout(constant_id = 0) const uint kFit = kLoose;
+layout(constant_id = 0) const uint kFit = kFitLoose;
 
 LightBox within(LightBox box, LightBox limit) {
   return LightBox(clamp(box.low, limit.low, limit.high), clamp(box.high, limit.low, limit.high));
@@ -47,21 +47,21 @@ LightBox snapped(LightBox box, uvec2 texels) {
 
 void main() {
   const uint view = gl_LocalInvocationID.x;
-  const mat4 lightFromWorld = kFit == kLoose ? frame.lightFromWorld : analysis.lightFromWorld;
+  const mat4 lightFromWorld = kFit == kFitLoose ? frame.lightFromWorld : analysis.lightFromWorld;
   if (view == 0) writePlan(frame.settings.partitions, lightFromWorld);
   if (view >= frame.settings.partitions) return;
 
   const uvec2 texels = frame.settings.mapSize;
   const float depthBegin = analysis.splits[view], depthEnd = analysis.splits[view + 1];
   // The first partition begins at the camera, whatever the formula's near depth is.
-  LightBox box = kFit == kLoose ? sliceBox(view == 0 ? frame.nearDistance : depthBegin, depthEnd) : sampleBox(view);
+  LightBox box = kFit == kFitLoose ? sliceBox(view == 0 ? frame.nearDistance : depthBegin, depthEnd) : sampleBox(view);
   if (!isEmpty(box)) {
     box = withCasters(box);
-    box = kFit == kSnapped ? snapped(withExtent(box), texels) : withExtent(withBorder(box, texels));
+    box = kFit == kFitSnapped ? snapped(withExtent(box), texels) : withExtent(withBorder(box, texels));
   }
   placeMap(view);
   writeView(view, box, lightFromWorld, texels);
   plan.views[view].depthBegin = depthBegin;
   plan.views[view].depthEnd = depthEnd;
-  if (kFit != kLoose) plan.views[view].sampleCount = analysis.sampleCount[view];
+  if (kFit != kFitLoose) plan.views[view].sampleCount = analysis.sampleCount[view];
 }

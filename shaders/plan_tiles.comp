@@ -6,11 +6,11 @@
 // Departures: a tile without samples is not drawn; the near plane is the nearest caster's even where the paper takes the
 // nearest sample's (see withCasters()).
 #include "plan_view.glsl"
+#include "shared/choices.h"
 
 layout(local_size_x = kMaxShadowViews) in;
 
-const uint kCasters = 0, kDepth = 1, kBox = 2;
-layout(constant_id = 0) const uint kFit = kDepth;  // what fits a tile: casters' bounds in depth, samples in depth, or on all sides
+layout(constant_id = 0) const uint kFit = kTileDepth;
 layout(constant_id = 1) const bool kRanked = true;  // by importance; otherwise sizes are given tile by tile
 
 // Tiles with more importance, and of equals those with smaller numbers, come first.
@@ -42,14 +42,14 @@ void main() {
   const vec2 corner = frame.settings.lsSquareMin + side * vec2(tile % tilesPerSide, tile / tilesPerSide);
   LightBox box = sampleBox(tile);
   const bool empty = isEmpty(box);
-  if (kFit != kBox || empty) {
+  if (kFit != kTileBox || empty) {
     box.low.xy = corner;
     box.high.xy = corner + side;
   }
   // An empty tile is shown where it lies; the casters' bounds are already in the tile's range of depth.
   if (empty) box = LightBox(vec3(box.low.xy, min(frame.lsBoundsMin.z, frame.lsBoundsMax.z)), vec3(box.high.xy, frame.lsBoundsMax.z));
-  if (kFit != kCasters) box = withCasters(box);
-  box = withExtent(kFit == kBox && !empty ? withBorder(box, texels) : box);
+  if (kFit != kTileCasters) box = withCasters(box);
+  box = withExtent(kFit == kTileBox && !empty ? withBorder(box, texels) : box);
   placeMap(view);
   writeView(view, box, frame.lightFromWorld, texels);
   uint before = 0;

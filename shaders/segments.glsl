@@ -1,9 +1,8 @@
 // Which part of the plan a view sample belongs to: its partition along the camera's depth, or its tile.
 #ifndef SUNDIAL_SEGMENTS_GLSL
 #define SUNDIAL_SEGMENTS_GLSL
+#include "shared/choices.h"
 #include "view_depth.glsl"
-
-const uint kSegmentAll = 0, kSegmentDepth = 1, kSegmentRadius = 2, kSegmentTile = 3;
 
 // The last partition takes what lies behind all others, the first what lies before them.
 uint partitionOf(float depth) {

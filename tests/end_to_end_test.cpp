@@ -19,7 +19,7 @@ namespace fs = std::filesystem;
 
 long lines(const std::string& text) { return std::count(text.begin(), text.end(), '\n'); }
 
-// A sundiald on a socket of its own, ready before the constructor returns: every call waits for it.
+// A sundiald on a socket of its own, ready before the constructor returns.
 class Server {
  public:
   explicit Server(const std::vector<std::string>& environment = {}, const std::vector<std::string>& more = {})
@@ -28,6 +28,7 @@ class Server {
                                        "--validation"};
     arguments.insert(arguments.end(), more.begin(), more.end());
     process.emplace(SUNDIALD, arguments, environment);
+    waitForServer(address);
   }
   ~Server() {
     if (process) stop();

@@ -6,9 +6,12 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <chrono>
 #include <fstream>
 #include <iterator>
 #include <stdexcept>
+
+#include "sundial/connect.h"
 
 namespace sundial::test {
 namespace {
@@ -57,6 +60,12 @@ Outcome Process::wait() {
 
 Outcome sundial(const std::vector<std::string>& arguments, const std::vector<std::string>& environment) {
   return Process(SUNDIAL_COMMAND, arguments, environment).wait();
+}
+
+void waitForServer(const std::string& address) {
+  const auto channel = client::connect(address);
+  if (!channel || !(*channel)->WaitForConnected(std::chrono::system_clock::now() + std::chrono::minutes(1)))
+    throw std::runtime_error("no server answers at " + address);
 }
 
 std::string contents(const std::string& path) {

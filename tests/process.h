@@ -28,6 +28,9 @@ class Process {
 // "sundial" with these arguments, to its end.
 Outcome sundial(const std::vector<std::string>& arguments, const std::vector<std::string>& environment = {});
 
+// Until a server answers at this address. Throws if none does within a minute.
+void waitForServer(const std::string& address);
+
 std::string contents(const std::string& path);
 
 }  // namespace sundial::test

@@ -1,12 +1,14 @@
 #include "shadow/depth_store.h"
 
 #include "gpu/rendering.h"
+#include "shadow/plan_settings.h"
 #include "shared/bindings.h"
 
 namespace sundial {
 
 DepthStore::DepthStore(const Device& device, const Method& method, const shared::FrameConstants& constants)
-    : maps_(mapsOf(method, constants)),
+    : maps_(mapsOf(method)),
+      texels_(texelsOf(mapSizesOf(method))),
       image_(device, {constants.storeSize.x, constants.storeSize.y}, VK_FORMAT_D32_SFLOAT,
              VK_IMAGE_USAGE_DEPTH_STENCIL_ATTACHMENT_BIT | VK_IMAGE_USAGE_SAMPLED_BIT),
       unread_(device, 0, VK_BUFFER_USAGE_STORAGE_BUFFER_BIT),

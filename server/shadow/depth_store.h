@@ -11,11 +11,12 @@ class DepthStore : public Store {
 
   void record(VkCommandBuffer, const DrawView& draw) const override;
   void bindTo(BindingSet&) const override;
-  std::uint64_t texels() const override { return texelsOf(maps_); }
+  std::uint64_t texels() const override { return texels_; }
   std::uint64_t bytes() const override { return texels() * sizeof(float); }
 
  private:
   std::vector<VkRect2D> maps_;
+  std::uint64_t texels_;
   GpuImage image_;
   Buffer unread_;
   Sampler nearest_;

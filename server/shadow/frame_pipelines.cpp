@@ -2,6 +2,7 @@
 
 #include "shadow/plan_settings.h"
 #include "shadow/scene_buffers.h"
+#include "shared/choices.h"
 
 namespace sundial {
 
@@ -37,32 +38,33 @@ GraphicsPipelineInfo fullscreenOf(std::string_view fragment, std::vector<VkForma
           .colourFormats = std::move(formats)};
 }
 
-// The constants of the shaders, by the stages' choices. Numbers as the shaders name them.
+// The constants of the shaders, by the stages' choices.
+
+std::uint32_t cutOf(Partition partition) {
+  switch (partition) {
+    case Partition::manual:
+      return shared::kCutManual;
+    case Partition::uniform:
+      return shared::kCutUniform;
+    case Partition::practical:
+      return shared::kCutPractical;
+    case Partition::adaptive:
+      return shared::kCutAdaptive;
+    case Partition::kmeans:
+      return shared::kCutKmeans;
+    default:
+      return shared::kCutLog;
+  }
+}
 
 Specialization splitsConstants(const Stages& stages) {
-  const std::uint32_t scheme = [&] {
-    switch (stages.partition) {
-      case Partition::manual:
-        return 0u;
-      case Partition::uniform:
-        return 1u;
-      case Partition::practical:
-        return 3u;
-      case Partition::adaptive:
-        return 4u;
-      case Partition::kmeans:
-        return 5u;
-      default:
-        return 2u;
-    }
-  }();
-  return {scheme, stages.volume == Volume::samples, stages.focus == Focus::snapped};
+  return {cutOf(stages.partition), stages.volume == Volume::samples, stages.focus == Focus::snapped};
 }
 
 Specialization segmentsConstants(const Stages& stages) {
-  if (stages.partition == Partition::tiles) return {3};
-  if (stages.partition == Partition::single) return {0};
-  return {stages.focus == Focus::snapped ? 2u : 1u};
+  if (stages.partition == Partition::tiles) return {shared::kSegmentTile};
+  if (stages.partition == Partition::single) return {shared::kSegmentAll};
+  return {stages.focus == Focus::snapped ? shared::kSegmentRadius : shared::kSegmentDepth};
 }
 
 std::string_view planShader(Partition partition) {
@@ -72,12 +74,14 @@ std::string_view planShader(Partition partition) {
 
 Specialization planConstants(const Stages& stages) {
   if (stages.partition == Partition::tiles)
-    return {stages.focus == Focus::loose   ? 0u
-            : stages.focus == Focus::depth ? 1u
-                                           : 2u,
+    return {stages.focus == Focus::loose   ? shared::kTileCasters
+            : stages.focus == Focus::depth ? shared::kTileDepth
+                                           : shared::kTileBox,
             stages.resolution == Resolution::ranked};
   if (stages.partition == Partition::single) return {stages.volume == Volume::samples};
-  return {stages.focus == Focus::loose ? 0u : stages.focus == Focus::snapped ? 2u : 1u};
+  return {stages.focus == Focus::loose     ? shared::kFitLoose
+          : stages.focus == Focus::snapped ? shared::kFitSnapped
+                                           : shared::kFitSamples};
 }
 
 std::string_view lookupShader(Lookup lookup) {
@@ -95,10 +99,10 @@ std::string_view lookupShader(Lookup lookup) {
 Specialization lookupConstants(const Method& method) {
   const Stages& stages = *method.stages;
   const std::uint32_t choice = [&] {
-    if (stages.partition == Partition::tiles) return 4u;
-    if (stages.partition == Partition::single) return 0u;
-    if (method.settings.choose == Choose::tightest) return 3u;
-    return stages.focus == Focus::snapped ? 2u : 1u;
+    if (stages.partition == Partition::tiles) return shared::kChooseTile;
+    if (stages.partition == Partition::single) return shared::kChooseOnly;
+    if (method.settings.choose == Choose::tightest) return shared::kChooseTightest;
+    return stages.focus == Focus::snapped ? shared::kChooseRadius : shared::kChooseDepth;
   }();
   return {stages.storage == Storage::linear, choice, shadowViewsOf(method), method.settings.blend > 0};
 }

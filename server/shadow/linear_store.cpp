@@ -3,13 +3,15 @@
 #include <algorithm>
 
 #include "gpu/rendering.h"
+#include "shadow/plan_settings.h"
 #include "shared/bindings.h"
 
 namespace sundial {
 
-LinearStore::LinearStore(const Device& device, const Method& method, const shared::FrameConstants& constants)
-    : maps_(mapsOf(method, constants)),
-      depths_(device, texelsOf(maps_) * sizeof(float),
+LinearStore::LinearStore(const Device& device, const Method& method)
+    : maps_(mapsOf(method)),
+      texels_(texelsOf(mapSizesOf(method))),
+      depths_(device, texels_ * sizeof(float),
               VK_BUFFER_USAGE_STORAGE_BUFFER_BIT | VK_BUFFER_USAGE_TRANSFER_DST_BIT),
       unread_(device, {1, 1}, VK_FORMAT_D32_SFLOAT, VK_IMAGE_USAGE_SAMPLED_BIT),
       nearest_(makeSampler(device, VK_FILTER_NEAREST)) {

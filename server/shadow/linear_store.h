@@ -8,15 +8,16 @@ namespace sundial {
 
 class LinearStore : public Store {
  public:
-  LinearStore(const Device&, const Method&, const shared::FrameConstants&);
+  LinearStore(const Device&, const Method&);
 
   void record(VkCommandBuffer, const DrawView& draw) const override;
   void bindTo(BindingSet&) const override;
-  std::uint64_t texels() const override { return texelsOf(maps_); }
+  std::uint64_t texels() const override { return texels_; }
   std::uint64_t bytes() const override { return texels() * sizeof(float); }
 
  private:
   std::vector<VkRect2D> maps_;
+  std::uint64_t texels_;
   Buffer depths_;
   GpuImage unread_;
   Sampler nearest_;

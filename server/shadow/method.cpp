@@ -5,6 +5,7 @@
 
 #include <algorithm>
 
+#include "shadow/parameter_values.h"
 #include "shadow/parameters.h"
 
 namespace sundial {

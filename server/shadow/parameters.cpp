@@ -4,9 +4,9 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 
+#include "shadow/parameter_values.h"
 #include "shared/plan.h"
 
 namespace sundial {
@@ -15,12 +15,11 @@ namespace {
 
 using Kind = Parameter::Kind;
 
-constexpr std::string_view kAuto = "auto";
-
-// A parameter and the stages that read it.
+// A parameter, the stages that read it, and what a value that isn't wrong sets.
 struct Rule {
   Parameter parameter;
   bool (*readBy)(const Stages&);
+  void (*take)(const std::string& text, Method::Settings&);
 };
 
 const std::vector<Rule>& rules() {
@@ -37,7 +36,12 @@ const std::vector<Rule>& rules() {
         .max = 16384,
         .defaultValue = "2048",
         .description = "size of every map: a side, or WIDTHxHEIGHT"},
-       [](const Stages& s) { return s.resolution == Resolution::fixed; }},
+       [](const Stages& s) { return s.resolution == Resolution::fixed; },
+       [](const std::string& text, Method::Settings& s) {
+         const auto [width, height] = sizeIn(text);
+         s.width = width;
+         s.height = height;
+       }},
       {{.name = "bias_texels",
         .kind = Kind::number,
         .unit = "texels",
@@ -47,7 +51,8 @@ const std::vector<Rule>& rules() {
         .description = "how far a receiver moves towards the light, in texels of its map; half of it where "
                        "it looks into "
                        "the light"},
-       biased},
+       biased,
+       [](const std::string& text, Method::Settings& s) { s.biasTexels = numberIn(text); }},
       {{.name = "bias_world",
         .kind = Kind::number,
         .unit = "m",
@@ -57,7 +62,8 @@ const std::vector<Rule>& rules() {
         .description = "the same in metres, added; auto: 2e-5 of the scene's diagonal, as near as the "
                        "reference looks",
         .choices = {kAuto}},
-       biased},
+       biased,
+       [](const std::string& text, Method::Settings& s) { s.biasWorld = unlessAuto(text); }},
       {{.name = "plan",
         .kind = Kind::choice,
         .unit = "",
@@ -66,7 +72,12 @@ const std::vector<Rule>& rules() {
             "gpu: planned, culled and drawn without the host; readback: the host waits for the plan and "
             "culls; delayed: planned from what the frame before saw",
         .choices = {"gpu", "readback", "delayed"}},
-       always},
+       always,
+       [](const std::string& text, Method::Settings& s) {
+         s.plan = text == "readback"  ? PlanTiming::readback
+                  : text == "delayed" ? PlanTiming::delayed
+                                      : PlanTiming::gpu;
+       }},
       {{.name = "partitions",
         .kind = Kind::integer,
         .unit = "1",
@@ -74,7 +85,8 @@ const std::vector<Rule>& rules() {
         .max = shared::kMaxPartitions,
         .defaultValue = "4",
         .description = "maps along the camera's depth; with a partition along it that isn't manual"},
-       [](const Stages& s) { return cutsDepth(s.partition) && s.partition != Partition::manual; }},
+       [](const Stages& s) { return cutsDepth(s.partition) && s.partition != Partition::manual; },
+       [](const std::string& text, Method::Settings& s) { s.partitions = countIn(text); }},
       {{.name = "splits",
         .kind = Kind::list,
         .unit = "m",
@@ -85,7 +97,11 @@ const std::vector<Rule>& rules() {
             "where each partition ends, 4:12:40; auto: three, at (i/3)^3 of the scene's farthest depth; "
             "with partition=manual",
         .choices = {kAuto}},
-       [](const Stages& s) { return s.partition == Partition::manual; }},
+       [](const Stages& s) { return s.partition == Partition::manual; },
+       [](const std::string& text, Method::Settings& s) {
+         if (text != kAuto) s.splits = listIn(text);
+         s.partitions = s.splits.empty() ? 3 : static_cast<unsigned>(s.splits.size());
+       }},
       {{.name = "lambda",
         .kind = Kind::number,
         .unit = "1",
@@ -93,7 +109,8 @@ const std::vector<Rule>& rules() {
         .max = 1,
         .defaultValue = "0.5",
         .description = "1: logarithmic, 0: uniform; with partition=practical"},
-       [](const Stages& s) { return s.partition == Partition::practical; }},
+       [](const Stages& s) { return s.partition == Partition::practical; },
+       [](const std::string& text, Method::Settings& s) { s.lambda = numberIn(text); }},
       {{.name = "near",
         .kind = Kind::number,
         .unit = "m",
@@ -104,7 +121,8 @@ const std::vector<Rule>& rules() {
             "depth that the formulas of splits begin with; auto: a thousandth of the scene's farthest; "
             "with volume=frustum",
         .choices = {kAuto}},
-       [](const Stages& s) { return s.volume == Volume::frustum && s.partition != Partition::manual; }},
+       [](const Stages& s) { return s.volume == Volume::frustum && s.partition != Partition::manual; },
+       [](const std::string& text, Method::Settings& s) { s.near = unlessAuto(text); }},
       {{.name = "choose",
         .kind = Kind::choice,
         .unit = "",
@@ -112,7 +130,10 @@ const std::vector<Rule>& rules() {
         .description =
             "which partition answers: the one of the sample's depth, or the tightest that contains it",
         .choices = {"depth", "tightest"}},
-       cuts},
+       cuts,
+       [](const std::string& text, Method::Settings& s) {
+         s.choose = text == "depth" ? Choose::depth : Choose::tightest;
+       }},
       {{.name = "blend",
         .kind = Kind::number,
         .unit = "1",
@@ -120,7 +141,8 @@ const std::vector<Rule>& rules() {
         .max = 0.5,
         .defaultValue = "0",
         .description = "share of a partition's depth in which it fades into the next; with choose=depth"},
-       cuts},
+       cuts,
+       [](const std::string& text, Method::Settings& s) { s.blend = numberIn(text); }},
       {{.name = "tile_sizes",
         .kind = Kind::list,
         .unit = "texels",
@@ -130,7 +152,11 @@ const std::vector<Rule>& rules() {
         .description =
             "a side of each tile, n x n of them; resolution=ranked: falling, the most important tile gets "
             "the first; listed: tile by tile, a row of light space after another"},
-       tiles},
+       tiles,
+       [](const std::string& text, Method::Settings& s) {
+         const std::vector<double> sides = listIn(text);
+         s.tileSizes.assign(sides.begin(), sides.end());
+       }},
       {{.name = "extent",
         .kind = Kind::number,
         .unit = "m",
@@ -139,7 +165,8 @@ const std::vector<Rule>& rules() {
         .defaultValue = kAuto,
         .description = "side of the square that the tiles cut; auto: what the camera could see of the scene",
         .choices = {kAuto}},
-       tiles},
+       tiles,
+       [](const std::string& text, Method::Settings& s) { s.extent = unlessAuto(text); }},
       {{.name = "placement",
         .kind = Kind::choice,
         .unit = "",
@@ -148,7 +175,10 @@ const std::vector<Rule>& rules() {
             "circle: the camera stands on the circle inscribed in the square; column: the square is turned "
             "so that the camera looks along the middle of tiles, never at a corner of four",
         .choices = {"circle", "column"}},
-       tiles},
+       tiles,
+       [](const std::string& text, Method::Settings& s) {
+         s.placement = text == "column" ? Placement::column : Placement::circle;
+       }},
       {{.name = "importance_gain",
         .kind = Kind::number,
         .unit = "1",
@@ -156,7 +186,8 @@ const std::vector<Rule>& rules() {
         .max = 1000,
         .defaultValue = "32",
         .description = "how much more a sample counts at the camera than far away: m"},
-       tiles},
+       tiles,
+       [](const std::string& text, Method::Settings& s) { s.importanceGain = numberIn(text); }},
       {{.name = "importance_range",
         .kind = Kind::number,
         .unit = "m",
@@ -165,7 +196,8 @@ const std::vector<Rule>& rules() {
         .defaultValue = kAuto,
         .description = "depth at which that ends: k; auto: a quarter of the square's side",
         .choices = {kAuto}},
-       tiles},
+       tiles,
+       [](const std::string& text, Method::Settings& s) { s.importanceRange = unlessAuto(text); }},
       {{.name = "kernel",
         .kind = Kind::integer,
         .unit = "texels",
@@ -173,7 +205,8 @@ const std::vector<Rule>& rules() {
         .max = 15,
         .defaultValue = "3",
         .description = "side of the filter's box; with lookup=pcf"},
-       [](const Stages& s) { return s.lookup == Lookup::pcf; }},
+       [](const Stages& s) { return s.lookup == Lookup::pcf; },
+       [](const std::string& text, Method::Settings& s) { s.kernel = countIn(text); }},
       {{.name = "exponents",
         .kind = Kind::list,
         .unit = "1",
@@ -182,7 +215,8 @@ const std::vector<Rule>& rules() {
         .defaultValue = "40:5",
         .description = "of the two warps of depth, over half the depth of a map, which is a little more than "
                        "the scene's along the light; with storage=moments"},
-       moments},
+       moments,
+       [](const std::string& text, Method::Settings& s) { s.exponents = listIn(text); }},
       {{.name = "blur",
         .kind = Kind::number,
         .unit = "m",
@@ -192,7 +226,8 @@ const std::vector<Rule>& rules() {
         .description =
             "over how much shadows' edges fade, across the light; for a spot light in the middle of the "
             "scene's depth; with storage=moments"},
-       moments},
+       moments,
+       [](const std::string& text, Method::Settings& s) { s.blur = numberIn(text); }},
       {{.name = "bleed_reduction",
         .kind = Kind::number,
         .unit = "1",
@@ -200,7 +235,8 @@ const std::vector<Rule>& rules() {
         .max = 0.99,
         .defaultValue = "0.2",
         .description = "lights up to this share count as none, the rest are stretched; with storage=moments"},
-       moments},
+       moments,
+       [](const std::string& text, Method::Settings& s) { s.bleedReduction = numberIn(text); }},
       {{.name = "least_deviation",
         .kind = Kind::number,
         .unit = "m",
@@ -210,7 +246,8 @@ const std::vector<Rule>& rules() {
         .description = "of depth, below which it is taken for rounding; auto: 2e-5 of the scene's extent; "
                        "with storage=moments",
         .choices = {kAuto}},
-       moments},
+       moments,
+       [](const std::string& text, Method::Settings& s) { s.leastDeviation = unlessAuto(text); }},
       {{.name = "anisotropy",
         .kind = Kind::number,
         .unit = "texels",
@@ -218,46 +255,10 @@ const std::vector<Rule>& rules() {
         .max = 16,
         .defaultValue = "16",
         .description = "the most that are read along a pixel's footprint; with storage=moments"},
-       moments},
+       moments,
+       [](const std::string& text, Method::Settings& s) { s.anisotropy = numberIn(text); }},
   };
   return all;
-}
-
-// A whole text as a number; nothing if it isn't one.
-template <class T>
-std::optional<T> parse(std::string_view text) {
-  T value{};
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-  if (error != std::errc() || end != text.data() + text.size()) return std::nullopt;
-  return value;
-}
-
-// "2048" or "1024x512".
-std::optional<std::pair<unsigned, unsigned>> parseSize(std::string_view text) {
-  const std::size_t x = text.find('x');
-  const auto width = parse<unsigned>(text.substr(0, x));
-  const auto height = x == std::string_view::npos ? width : parse<unsigned>(text.substr(x + 1));
-  if (!width || !height) return std::nullopt;
-  return std::pair(*width, *height);
-}
-
-// "4:12:40".
-std::optional<std::vector<double>> parseList(std::string_view text) {
-  std::vector<double> values;
-  for (;;) {
-    const std::size_t colon = text.find(':');
-    const auto value = parse<double>(text.substr(0, colon));
-    if (!value) return std::nullopt;
-    values.push_back(*value);
-    if (colon == std::string_view::npos) return values;
-    text.remove_prefix(colon + 1);
-  }
-}
-
-bool within(const Parameter& p, double value) { return value >= p.min && value <= p.max; }
-
-std::optional<double> unlessAuto(const std::string& text) {
-  return text == kAuto ? std::nullopt : parse<double>(text);
 }
 
 }  // namespace
@@ -286,93 +287,13 @@ std::optional<Parameter> knownParameter(std::string_view name) {
   return std::nullopt;
 }
 
-std::optional<std::string> whyWrong(const Parameter& p, std::string_view value) {
-  const std::string unit = p.unit == "1" ? "" : fmt::format(" {}", p.unit);
-  const std::string range = fmt::format("[{}, {}]{}", p.min, p.max, unit);
-  const std::string orChoice = p.choices.empty() ? "" : fmt::format(" or {}", fmt::join(p.choices, ", "));
-  const bool choice = std::ranges::find(p.choices, value) != p.choices.end();
-  switch (p.kind) {
-    case Kind::choice:
-      if (!choice) return fmt::format("choose one of {}", fmt::join(p.choices, ", "));
-      break;
-    case Kind::size: {
-      const auto size = parseSize(value);
-      if (!size || !within(p, size->first) || !within(p, size->second))
-        return fmt::format("give a side, or WIDTHxHEIGHT, each in {}", range);
-      break;
-    }
-    case Kind::list: {
-      if (choice) break;
-      const auto list = parseList(value);
-      const bool whole = p.unit == "texels";
-      if (!list || !std::ranges::all_of(
-                       *list, [&](double v) { return within(p, v) && (!whole || v == std::floor(v)); }))
-        return fmt::format("give {}numbers with colons between them, each in {}{}", whole ? "whole " : "",
-                           range, orChoice);
-      break;
-    }
-    case Kind::integer: {
-      const auto number = parse<int>(value);
-      if (!number || !within(p, *number)) return fmt::format("give a whole number in {}", range);
-      break;
-    }
-    case Kind::number: {
-      if (choice) break;
-      const auto number = parse<double>(value);
-      if (!number || !within(p, *number)) return fmt::format("give a number in {}{}", range, orChoice);
-      break;
-    }
-  }
-  return std::nullopt;
-}
-
 Method::Settings settingsFrom(const std::map<std::string, std::string>& parameters, const Stages& stages) {
   Method::Settings settings;
-  const auto with = [&](std::string_view name, auto take) {
-    if (const auto found = parameters.find(std::string(name)); found != parameters.end()) take(found->second);
-  };
-  with("texels", [&](const std::string& text) {
-    const auto [width, height] = *parseSize(text);
-    settings.width = width;
-    settings.height = height;
-  });
-  with("bias_texels", [&](const std::string& text) { settings.biasTexels = *parse<double>(text); });
-  with("bias_world", [&](const std::string& text) { settings.biasWorld = unlessAuto(text); });
-  with("plan", [&](const std::string& text) {
-    settings.plan = text == "readback"  ? PlanTiming::readback
-                    : text == "delayed" ? PlanTiming::delayed
-                                        : PlanTiming::gpu;
-  });
-  with("partitions", [&](const std::string& text) { settings.partitions = *parse<unsigned>(text); });
-  with("splits", [&](const std::string& text) {
-    if (text != kAuto) settings.splits = *parseList(text);
-    settings.partitions = settings.splits.empty() ? 3 : static_cast<unsigned>(settings.splits.size());
-  });
-  with("lambda", [&](const std::string& text) { settings.lambda = *parse<double>(text); });
-  with("near", [&](const std::string& text) { settings.near = unlessAuto(text); });
-  with("choose", [&](const std::string& text) {
-    settings.choose = text == "depth" ? Choose::depth : Choose::tightest;
-  });
-  with("blend", [&](const std::string& text) { settings.blend = *parse<double>(text); });
-  with("extent", [&](const std::string& text) { settings.extent = unlessAuto(text); });
-  with("placement", [&](const std::string& text) {
-    settings.placement = text == "column" ? Placement::column : Placement::circle;
-  });
-  with("tile_sizes", [&](const std::string& text) {
-    const std::vector<double> sides = *parseList(text);
-    settings.tileSizes.assign(sides.begin(), sides.end());
-  });
-  with("importance_gain", [&](const std::string& text) { settings.importanceGain = *parse<double>(text); });
-  with("importance_range", [&](const std::string& text) { settings.importanceRange = unlessAuto(text); });
-  with("kernel", [&](const std::string& text) { settings.kernel = *parse<unsigned>(text); });
-  with("exponents", [&](const std::string& text) { settings.exponents = *parseList(text); });
-  with("blur", [&](const std::string& text) { settings.blur = *parse<double>(text); });
-  with("bleed_reduction", [&](const std::string& text) { settings.bleedReduction = *parse<double>(text); });
-  with("least_deviation", [&](const std::string& text) { settings.leastDeviation = unlessAuto(text); });
-  with("anisotropy", [&](const std::string& text) { settings.anisotropy = *parse<double>(text); });
+  for (const Rule& rule : rules())
+    if (const auto found = parameters.find(std::string(rule.parameter.name)); found != parameters.end())
+      rule.take(found->second, settings);
   // Variance does what bias does.
   if (stages.lookup == Lookup::evsm) settings.biasWorld = 0;
-  if (stages.partition == Partition::tiles) settings.width = settings.height = settings.tileSizes.front();
   return settings;
 }
 

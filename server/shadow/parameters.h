@@ -10,9 +10,6 @@ std::vector<Parameter> parametersFor(const MethodRow&, const std::optional<Stage
 // Whatever stages read it.
 std::optional<Parameter> knownParameter(std::string_view name);
 
-// Why the value isn't one of the parameter's.
-std::optional<std::string> whyWrong(const Parameter&, std::string_view value);
-
 // From a value for each of parametersFor(), none of them wrong.
 Method::Settings settingsFrom(const std::map<std::string, std::string>& parameters, const Stages&);
 // Why settings don't go together, one by one good as they are.

@@ -146,6 +146,21 @@ std::uint32_t shadowViewsOf(const Method& method) {
   return method.settings.partitions;
 }
 
+std::vector<glm::uvec2> mapSizesOf(const Method& method) {
+  const Method::Settings& settings = method.settings;
+  std::vector<glm::uvec2> sizes(shadowViewsOf(method), {settings.width, settings.height});
+  if (method.stages && method.stages->partition == Partition::tiles)
+    for (std::size_t view = 0; view < sizes.size(); ++view)
+      sizes[view] = glm::uvec2(settings.tileSizes[view]);
+  return sizes;
+}
+
+std::uint64_t texelsOf(const std::vector<glm::uvec2>& mapSizes) {
+  std::uint64_t texels = 0;
+  for (const glm::uvec2& size : mapSizes) texels += std::uint64_t{size.x} * size.y;
+  return texels;
+}
+
 std::uint32_t mapColumnsOf(const Method& method) {
   return static_cast<std::uint32_t>(std::ceil(std::sqrt(static_cast<double>(shadowViewsOf(method)))));
 }
@@ -180,15 +195,12 @@ void settle(shared::FrameConstants& c, const Method& method, const dvec3& origin
 
   const std::uint32_t views = shadowViewsOf(method);
   if (stages.storage == Storage::linear)
-    c.storeSize = {from.width * from.height * views, 1};
+    c.storeSize = {texelsOf(mapSizesOf(method)), 1};
   else
     c.storeSize = to.mapSize * glm::uvec2(to.mapColumns, (views + to.mapColumns - 1) / to.mapColumns);
   if (stages.partition != Partition::tiles) return;
   to.tilesPerSide = static_cast<std::uint32_t>(std::lround(std::sqrt(static_cast<double>(views))));
   std::ranges::copy(from.tileSizes, to.tileTexels);
-  std::uint32_t texels = 0;
-  for (const unsigned side : from.tileSizes) texels += side * side;
-  c.storeSize = {texels, 1};
   const Square square = squareOf(c, from);
   to.lsSquareMin = square.low;
   to.lsSquareSide = static_cast<float>(square.side);

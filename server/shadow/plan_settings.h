@@ -2,6 +2,8 @@
 // of light space that the method wants.
 #pragma once
 
+#include <vector>
+
 #include "shadow/method.h"
 #include "shared/frame.h"
 
@@ -14,6 +16,9 @@ void settle(shared::FrameConstants&, const Method&, const glm::dvec3& origin);
 
 // How many shadow views the method's plan has at most.
 std::uint32_t shadowViewsOf(const Method&);
+// Texels of each view's map.
+std::vector<glm::uvec2> mapSizesOf(const Method&);
+std::uint64_t texelsOf(const std::vector<glm::uvec2>& mapSizes);
 // How many of their maps stand in a row of the store's image.
 std::uint32_t mapColumnsOf(const Method&);
 

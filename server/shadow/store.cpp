@@ -12,36 +12,23 @@
 
 namespace sundial {
 
-std::vector<VkRect2D> mapsOf(const Method& method, const shared::FrameConstants& constants) {
+std::vector<VkRect2D> mapsOf(const Method& method) {
   std::vector<VkRect2D> maps;
   const bool linear = method.stages->storage == Storage::linear;
-  for (std::uint32_t view = 0; view < shadowViewsOf(method); ++view) {
-    const shared::PlanSettings& settings = constants.settings;
-    glm::uvec2 size = settings.mapSize;
-    if (method.stages->partition == Partition::tiles) size = glm::uvec2(settings.tileTexels[view]);
-    const glm::uvec2 place =
-        linear ? glm::uvec2(0) : size * glm::uvec2(view % settings.mapColumns, view / settings.mapColumns);
-    maps.push_back(
-        {{static_cast<std::int32_t>(place.x), static_cast<std::int32_t>(place.y)}, {size.x, size.y}});
+  const std::uint32_t columns = mapColumnsOf(method);
+  for (const glm::uvec2& size : mapSizesOf(method)) {
+    const auto view = static_cast<std::uint32_t>(maps.size());
+    const glm::ivec2 place(linear ? glm::uvec2(0) : size * glm::uvec2(view % columns, view / columns));
+    maps.push_back({{place.x, place.y}, {size.x, size.y}});
   }
   return maps;
-}
-
-std::uint64_t texelsOf(const std::vector<VkRect2D>& maps) {
-  std::uint64_t texels = 0;
-  for (const VkRect2D& map : maps) texels += std::uint64_t{map.extent.width} * map.extent.height;
-  return texels;
 }
 
 std::optional<std::string> whyTooLarge(const Method& method, const Device& device) {
   if (!method.stages) return std::nullopt;
   const std::uint64_t views = shadowViewsOf(method);
   if (method.stages->storage == Storage::linear) {
-    std::uint64_t texels = std::uint64_t{method.settings.width} * method.settings.height * views;
-    if (method.stages->partition == Partition::tiles) {
-      texels = 0;
-      for (const std::uint64_t side : method.settings.tileSizes) texels += side * side;
-    }
+    const std::uint64_t texels = texelsOf(mapSizesOf(method));
     const std::uint64_t most = device.limits().maxStorageBufferRange;
     if (4 * texels > most)
       return fmt::format(
@@ -68,8 +55,7 @@ std::optional<std::string> whyTooLarge(const Method& method, const Device& devic
 
 std::unique_ptr<Store> makeStore(const Device& device, FramePipelines& pipelines, const Method& method,
                                  const shared::FrameConstants& constants) {
-  if (method.stages->storage == Storage::linear)
-    return std::make_unique<LinearStore>(device, method, constants);
+  if (method.stages->storage == Storage::linear) return std::make_unique<LinearStore>(device, method);
   if (method.stages->storage == Storage::moments)
     return std::make_unique<MomentStore>(device, pipelines, method, constants);
   return std::make_unique<DepthStore>(device, method, constants);

@@ -42,8 +42,7 @@ std::unique_ptr<Store> makeStore(const Device&, FramePipelines&, const Method&,
 
 // Where each view's map lies in an image that holds all, mapColumnsOf() in a row; in a buffer each begins at
 // 0, 0.
-std::vector<VkRect2D> mapsOf(const Method&, const shared::FrameConstants&);
-std::uint64_t texelsOf(const std::vector<VkRect2D>& maps);
+std::vector<VkRect2D> mapsOf(const Method&);
 // Draws each view into its map.
 void drawMaps(VkCommandBuffer, const std::vector<VkRect2D>& maps, const Store::DrawView& draw);
 

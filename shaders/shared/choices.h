@@ -1,0 +1,26 @@
+// The numbers by which specialization constants select what a stage's shader does: set by frame_pipelines.cpp,
+// read by the shader that each list names.
+#ifndef SUNDIAL_SHARED_CHOICES_H
+#define SUNDIAL_SHARED_CHOICES_H
+#include "interop.h"
+
+SUNDIAL_SHARED_BEGIN
+
+// Where the camera's depth is cut: analyze_splits.comp.
+SUNDIAL_CONST kCutManual = 0u, kCutUniform = 1u, kCutLog = 2u, kCutPractical = 3u, kCutAdaptive = 4u,
+              kCutKmeans = 5u;
+
+// Which part of the plan a view sample belongs to: segments.glsl.
+SUNDIAL_CONST kSegmentAll = 0u, kSegmentDepth = 1u, kSegmentRadius = 2u, kSegmentTile = 3u;
+
+// What a partition's box is fitted to: plan_splits.comp.
+SUNDIAL_CONST kFitLoose = 0u, kFitSamples = 1u, kFitSnapped = 2u;
+
+// What a tile is fitted to, casters' bounds in depth, samples in depth, or samples on all sides: plan_tiles.comp.
+SUNDIAL_CONST kTileCasters = 0u, kTileDepth = 1u, kTileBox = 2u;
+
+// Which view answers a sample: choose_view.glsl.
+SUNDIAL_CONST kChooseOnly = 0u, kChooseDepth = 1u, kChooseRadius = 2u, kChooseTightest = 3u, kChooseTile = 4u;
+
+SUNDIAL_SHARED_END
+#endif

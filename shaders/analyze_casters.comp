@@ -4,6 +4,7 @@
 // [Alecu 2014, section 3.5, "forward"].
 #include "bindings.glsl"
 #include "ordered.glsl"
+#include "tiles.glsl"
 
 layout(local_size_x = 64) in;
 
@@ -27,10 +28,11 @@ void main() {
     low = min(low, light.xyz / light.w);
     high = max(high, light.xyz / light.w);
   }
-  const float side = frame.settings.lsSquareSide / float(frame.settings.tilesPerSide);
+  const Square square = inscribedSquare();
+  const float side = square.side / float(frame.settings.tilesPerSide);
   const int last = int(frame.settings.tilesPerSide) - 1;
-  const ivec2 first = max(ivec2(floor((low.xy - frame.settings.lsSquareMin) / side)), ivec2(0));
-  const ivec2 end = min(ivec2(floor((high.xy - frame.settings.lsSquareMin) / side)), ivec2(last));
+  const ivec2 first = max(ivec2(floor((low.xy - square.corner) / side)), ivec2(0));
+  const ivec2 end = min(ivec2(floor((high.xy - square.corner) / side)), ivec2(last));
   for (int y = first.y; y <= end.y; ++y)
     for (int x = first.x; x <= end.x; ++x) {
       const uint tile = uint(y) * frame.settings.tilesPerSide + uint(x);

@@ -28,16 +28,19 @@ void handOver(uint segment, Found found) {
 
 // [Alecu 2014, equation 3.1], in integers.
 uint importanceOf(float depth) {
-  const float nearness = clamp(1 - depth / frame.settings.importanceRange, 0, 1);
+  const float given = frame.settings.importanceRange, range = given > 0 ? given : 0.25 * inscribedSquare().side;
+  const float nearness = clamp(1 - depth / range, 0, 1);
   return uint((1 + frame.settings.importanceGain * nearness) * frame.settings.importanceUnit + 0.5);
 }
 
 // False where no segment has the sample.
 bool segmentOf(ViewSample s, vec2 ls, out uint segment) {
   segment = 0;
-  if (kSegments == kSegmentTile)
-    return tileAt(ls, frame.settings.lsSquareMin, frame.settings.lsSquareSide / float(frame.settings.tilesPerSide),
-                  frame.settings.tilesPerSide, segment);
+  if (kSegments == kSegmentTile) {
+    const Square square = inscribedSquare();
+    return tileAt(ls, square.corner, square.side / float(frame.settings.tilesPerSide), frame.settings.tilesPerSide,
+                  segment);
+  }
   if (kSegments != kSegmentAll) segment = partitionOf(viewDepth(s.wsPosition, kSegments == kSegmentRadius));
   return true;
 }

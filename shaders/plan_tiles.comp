@@ -3,10 +3,12 @@
 // partition=tiles: a square of light space in equal tiles, of unequal resolution: the most important tile gets the
 // largest map [Alecu 2014, sections 3.3 to 3.5]. Views stand in the order of their maps' sizes, so that the host knows
 // each view's viewport without knowing which tile it is.
-// Departures: a tile without samples is not drawn; the near plane is the nearest caster's even where the paper takes the
+// Departures: the square is as large as what is seen of the scene needs, where no extent is given; a tile without samples
+// is not drawn; the near plane is the nearest caster's even where the paper takes the
 // nearest sample's (see withCasters()).
 #include "plan_view.glsl"
 #include "shared/choices.h"
+#include "tiles.glsl"
 
 layout(local_size_x = kMaxShadowViews) in;
 
@@ -27,11 +29,12 @@ uint rankOf(uint tile, uint tiles) {
 void main() {
   const uint tilesPerSide = frame.settings.tilesPerSide, tiles = tilesPerSide * tilesPerSide;
   const uint tile = gl_LocalInvocationID.x;
-  const float side = frame.settings.lsSquareSide / float(tilesPerSide);
+  const Square square = inscribedSquare();
+  const float side = square.side / float(tilesPerSide);
   if (tile == 0) {
     writePlan(tiles, frame.lightFromWorld);
     plan.tilesPerSide = tilesPerSide;
-    plan.lsSquareMin = frame.settings.lsSquareMin;
+    plan.lsSquareMin = square.corner;
     plan.lsTileSide = side;
   }
   if (tile >= tiles) return;
@@ -39,7 +42,7 @@ void main() {
   const uint view = rankOf(tile, tiles);
   const uvec2 texels = uvec2(frame.settings.tileTexels[view]);
   plan.viewOfTile[tile] = view;
-  const vec2 corner = frame.settings.lsSquareMin + side * vec2(tile % tilesPerSide, tile / tilesPerSide);
+  const vec2 corner = square.corner + side * vec2(tile % tilesPerSide, tile / tilesPerSide);
   LightBox box = sampleBox(tile);
   const bool empty = isEmpty(box);
   if (kFit != kTileBox || empty) {

@@ -97,6 +97,26 @@ TEST_F(FrameTiles, ExtentIsTheSquaresSide) {
   }
 }
 
+TEST_F(FrameTiles, TheSquareIsAsLargeAsWhatIsSeenNeeds) {
+  const auto scene = builtin("trees?count=40");
+  for (const char* name : {"walk", "main"})
+    for (const char* light : {"sun", "low"}) {
+      SCOPED_TRACE(fmt::format("{} {}", name, light));
+      const Rendering r = render(scene, viewOf(*scene, name), lightOf(*scene, light), kSize, "iasm");
+      // Of all samples in shares of the square's half side: the first tile's corner is its own, and one
+      // touches a rim.
+      const auto corner = std::ranges::find(r.plan, 0u, [](const PlanView& v) { return v.gpu.tile; });
+      double farthest = 0;
+      for (std::size_t i = 0; i < r.pixels(); ++i) {
+        if (!r.answered(i)) continue;
+        const dvec4 inFirst = corner->shadowFromWorld * dvec4(r.position(i), 1);
+        const dvec2 inSquare = (dvec2(inFirst.x, -inFirst.y) - 3.0) / 4.0;  // four tiles a side
+        farthest = std::max({farthest, std::abs(inSquare.x), std::abs(inSquare.y)});
+      }
+      EXPECT_NEAR(farthest, 1, 2e-3);
+    }
+}
+
 TEST_F(FrameTiles, AColumnsCameraLooksAlongTheMiddleOfTiles) {
   const auto scene = builtin("trees?count=40");
   const View view = viewOf(*scene, "walk");

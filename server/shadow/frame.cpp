@@ -186,6 +186,7 @@ void Frame::analyze(VkCommandBuffer command) const {
     dispatch(command, pipelines_->analyzeSplits, 1);
   }
   const bool tiles = stages.partition == Partition::tiles;
+  if (tiles && !method_.settings.extent) dispatch(command, pipelines_->analyzeSquare, samples);
   if (asksSamples() && (tiles || stages.focus != Focus::loose))
     dispatch(command, pipelines_->analyzeSegments, samples);
   if (tiles && stages.focus == Focus::loose)

@@ -149,7 +149,10 @@ MethodPipelines FramePipelines::of(const Method& method) {
       made.analyzeDepths = compute("analyze_depths.comp", {histogram, stages.focus == Focus::snapped});
   }
   if (samples) made.analyzeSegments = compute("analyze_segments.comp", segmentsConstants(stages));
-  if (stages.partition == Partition::tiles) made.analyzeCasters = compute("analyze_casters.comp", {});
+  if (stages.partition == Partition::tiles) {
+    if (!method.settings.extent) made.analyzeSquare = compute("analyze_square.comp", {});
+    if (stages.focus == Focus::loose) made.analyzeCasters = compute("analyze_casters.comp", {});
+  }
   if (stages.storage == Storage::linear) {
     made.store = storeLinear_;
     made.storeMasked = storeLinearMasked_;

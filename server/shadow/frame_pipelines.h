@@ -15,6 +15,7 @@ struct MethodPipelines {
   VkPipeline store, storeMasked;
   VkPipeline resolve, answers;
   // Where samples are asked, depth is cut, or tiles are fitted to casters.
+  VkPipeline analyzeSquare = VK_NULL_HANDLE;
   VkPipeline analyzeDepths = VK_NULL_HANDLE, analyzeSplits = VK_NULL_HANDLE;
   VkPipeline analyzeSegments = VK_NULL_HANDLE, analyzeCasters = VK_NULL_HANDLE;
   // storage=moments alone.

@@ -163,7 +163,7 @@ const std::vector<Rule>& rules() {
         .min = 0.01,
         .max = 1e9,
         .defaultValue = kAuto,
-        .description = "side of the square that the tiles cut; auto: what the camera could see of the scene",
+        .description = "side of the square that the tiles cut; auto: what the camera sees of the scene",
         .choices = {kAuto}},
        tiles,
        [](const std::string& text, Method::Settings& s) { s.extent = unlessAuto(text); }},

@@ -1,7 +1,6 @@
 #include "shadow/plan_settings.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <limits>
 
@@ -50,52 +49,6 @@ glm::vec2 originOnGrid(const shared::FrameConstants& c, const dvec3& origin) {
   return glm::vec2(at - kPeriod * glm::floor(at / kPeriod));
 }
 
-// [Alecu 2014, section 3.3]: the camera stands on the circle inscribed in the square and looks in.
-struct Square {
-  dvec2 low{0};
-  double side = 1;
-};
-
-// What of a convex polygon lies in the half-plane dot(normal, p) <= limit.
-std::vector<dvec2> clipped(const std::vector<dvec2>& polygon, const dvec2& normal, double limit) {
-  std::vector<dvec2> out;
-  for (std::size_t i = 0; i < polygon.size(); ++i) {
-    const dvec2 &a = polygon[i], &b = polygon[(i + 1) % polygon.size()];
-    const double outsideA = glm::dot(normal, a) - limit, outsideB = glm::dot(normal, b) - limit;
-    if (outsideA <= 0) out.push_back(a);
-    if ((outsideA <= 0) != (outsideB <= 0)) out.push_back(a + (b - a) * (outsideA / (outsideA - outsideB)));
-  }
-  return out;
-}
-
-// The corners of what the camera could see of the scene, in the plane of light space: its frustum down to the
-// scene's farthest depth, as far as the scene's box reaches. The frustum's faces are clipped one by one:
-// their union covers it.
-std::vector<dvec2> seenCorners(const shared::FrameConstants& c) {
-  const dmat4 light(c.lightFromWorld);
-  const auto inLight = [&](const dvec3& p) { return dvec2(light * dvec4(p, 1)); };
-  const dvec2 eye = inLight(dvec3(c.wsEye));
-  std::array<dvec2, 4> far;
-  constexpr int kAround[4][2] = {{0, 0}, {1, 0}, {1, 1}, {0, 1}};
-  for (int i = 0; i < 4; ++i) {
-    const dvec3 ray = dvec3(c.wsRayTopLeft) +
-                      kAround[i][0] * double(c.imageSize.x) * dvec3(c.wsRayPerPixelX) +
-                      kAround[i][1] * double(c.imageSize.y) * dvec3(c.wsRayPerPixelY);
-    far[i] = inLight(dvec3(c.wsEye) + double{c.sceneDepth} * ray);
-  }
-  std::vector<std::vector<dvec2>> faces{{far.begin(), far.end()}};
-  for (int i = 0; i < 4; ++i) faces.push_back({eye, far[i], far[(i + 1) % 4]});
-  std::vector<dvec2> corners;
-  for (std::vector<dvec2>& face : faces) {
-    face = clipped(face, {1, 0}, c.lsBoundsMax.x);
-    face = clipped(face, {-1, 0}, -c.lsBoundsMin.x);
-    face = clipped(face, {0, 1}, c.lsBoundsMax.y);
-    face = clipped(face, {0, -1}, -c.lsBoundsMin.y);
-    corners.insert(corners.end(), face.begin(), face.end());
-  }
-  return corners;
-}
-
 // How far the square reaches from the camera in the plane of light space, in shares of its side.
 struct Reach {
   dvec2 before, behind;  // towards greater and towards smaller coordinates
@@ -109,32 +62,26 @@ Reach reachOf(const Method::Settings& settings, const dvec2& direction) {
   return {{1, 0.5 + aside}, {0, 0.5 - aside}};
 }
 
-// The smallest square that holds what the camera could see of the scene; never more than twice the scene.
-Square squareOf(const shared::FrameConstants& c, const Method::Settings& settings) {
-  const dvec2 low(c.lsBoundsMin), high(c.lsBoundsMax);
-  if (low.x > high.x) return {};
-  const dvec2 size = high - low;
-  // Before a spot there is no plane to stand on: its whole cone is cut.
-  if (c.lightKind != shared::kLightDirectional) {
-    const double side = settings.extent.value_or(std::max(size.x, size.y));
-    return {0.5 * (low + high) - 0.5 * side, side};
+// [Alecu 2014, section 3.3]: the camera stands on the circle inscribed in the square and looks in. At most
+// twice as large as the scene.
+void settleSquare(shared::FrameConstants& c, const Method::Settings& from) {
+  const dvec2 low(c.lsBoundsMin), high(c.lsBoundsMax), size = high - low;
+  const bool empty = low.x > high.x;
+  dvec2 eye = 0.5 * (low + high);
+  Reach reach{dvec2(0.5), dvec2(0.5)};
+  // Before a spot there is no plane to stand on: the square is about the middle of its cone.
+  if (c.lightKind == shared::kLightDirectional) {
+    const dmat4 light(c.lightFromWorld);
+    const dvec2 along(light * dvec4(forwardOf(c), 0));
+    eye = dvec2(light * dvec4(c.wsEye, 1));
+    reach = reachOf(from, glm::length(along) < 1e-4 ? dvec2(0) : glm::normalize(along));
   }
-  const dmat4 light(c.lightFromWorld);
-  const dvec2 eye(light * dvec4(c.wsEye, 1)), along(light * dvec4(forwardOf(c), 0));
-  const Reach reach = reachOf(settings, glm::length(along) < 1e-4 ? dvec2(0) : glm::normalize(along));
-  double side = 1e-3;
-  if (settings.extent) {
-    side = *settings.extent;
-  } else {
-    for (const dvec2& corner : seenCorners(c))
-      for (int axis = 0; axis < 2; ++axis) {
-        const double offset = corner[axis] - eye[axis];
-        const double share = offset > 0 ? reach.before[axis] : reach.behind[axis];
-        side = std::max(side, std::abs(offset) / std::max(share, 1e-6));
-      }
-    side = std::min(1.001 * side, 2 * std::max(glm::length(size), 1e-3));
-  }
-  return {eye - side * reach.behind, side};
+  c.settings.lsSquareEye = empty ? dvec2(0) : eye;
+  c.settings.squareBefore = reach.before;
+  c.settings.squareBehind = reach.behind;
+  c.settings.lsSquareSide = static_cast<float>(from.extent.value_or(0));
+  c.settings.lsSquareSideAtMost = static_cast<float>(empty ? 1 : 2 * std::max(glm::length(size), 1e-3));
+  c.settings.importanceRange = static_cast<float>(from.importanceRange.value_or(0));
 }
 
 }  // namespace
@@ -201,11 +148,8 @@ void settle(shared::FrameConstants& c, const Method& method, const dvec3& origin
   if (stages.partition != Partition::tiles) return;
   to.tilesPerSide = static_cast<std::uint32_t>(std::lround(std::sqrt(static_cast<double>(views))));
   std::ranges::copy(from.tileSizes, to.tileTexels);
-  const Square square = squareOf(c, from);
-  to.lsSquareMin = square.low;
-  to.lsSquareSide = static_cast<float>(square.side);
+  settleSquare(c, from);
   to.importanceGain = static_cast<float>(from.importanceGain);
-  to.importanceRange = static_cast<float>(from.importanceRange.value_or(0.25 * square.side));
   // As fine as sums of all pixels allow in 32 bits; coarser than a unit where there are very many.
   const double pixels = double(c.imageSize.x) * c.imageSize.y;
   to.importanceUnit = static_cast<float>(std::min(4e9 / (pixels * (1 + from.importanceGain)), 256.0));

@@ -62,10 +62,14 @@ struct PlanSettings {
   vec2 lsOriginOnGrid;
   uint tilesPerSide;
   float importanceGain;   // m of [Alecu 2014, equation 3.1]
-  float importanceRange;  // k, metres
+  float importanceRange;  // k, metres; 0: a quarter of the square's side
   float importanceUnit;   // integers a unit of importance
-  vec2 lsSquareMin;       // volume=inscribed
-  float lsSquareSide;
+  // volume=inscribed: the square about the camera, in light space after division.
+  vec2 lsSquareEye;          // where the camera stands
+  vec2 squareBehind;         // how far the square reaches from there towards smaller coordinates,
+  vec2 squareBefore;         // and towards greater ones, in shares of its side
+  float lsSquareSide;        // 0: the smallest that holds all view samples,
+  float lsSquareSideAtMost;  // but no more than this
   uint tileTexels[kMaxShadowViews];  // a side, of view v
   // How far beyond its own samples or part of the scene a view is drawn at least, light space after division:
   // to this depth, and by this much to each side.
@@ -88,6 +92,7 @@ struct Analysis {
   uint lsMin[3 * kMaxShadowViews];
   // and from here on to zeros.
   uint depthMax;
+  uint lsSquareSide;  // bits of a float: what holds all samples (volume=inscribed)
   uint lsMax[3 * kMaxShadowViews];
   uint sampleCount[kMaxShadowViews];
   uint importance[kMaxShadowViews];

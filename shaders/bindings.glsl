@@ -12,9 +12,9 @@ layout(set = 0, binding = kBindClusters, scalar) readonly buffer ClusterBlock { 
 layout(set = 0, binding = kBindMaterials, scalar) readonly buffer MaterialBlock { Material materials[]; };
 layout(set = 0, binding = kBindAnalysis, scalar) buffer AnalysisBlock { Analysis analysis; };
 layout(set = 0, binding = kBindPlan, scalar) buffer PlanBlock { Plan plan; };
-layout(set = 0, binding = kBindCommands, scalar) writeonly buffer CommandBlock { DrawCommand commands[]; };
+layout(set = 0, binding = kBindCommands, scalar) buffer CommandBlock { DrawCommand commands[]; };
 layout(set = 0, binding = kBindVisible, scalar) buffer VisibleBlock { uvec2 visible[]; };
-layout(set = 0, binding = kBindCounts, scalar) writeonly buffer CountBlock { uint counts[]; };
+layout(set = 0, binding = kBindCounts, scalar) buffer CountBlock { uint counts[]; };
 layout(set = 0, binding = kBindLinear, scalar) buffer LinearBlock { uint linearStore[]; };
 layout(set = 0, binding = kBindVertices) uniform usamplerBuffer vertexTexels;
 layout(set = 0, binding = kBindAttributes) uniform usamplerBuffer attributeTexels;

@@ -161,8 +161,8 @@ bool settled(const Series& series, double target) {
   return q.upper - q.lower <= target * q.median;
 }
 
-Result<Series> timeFrames(const Device& device, const Frame& frame, const Frame* baseline,
-                          const RenderJob& job, const Interrupt& interrupt) {
+Result<Series> timeFrames(const Device& device, Frame& frame, Frame* baseline, const RenderJob& job,
+                          const Interrupt& interrupt) {
   // Noise is answered with more rounds, within bounds; a job without timed frames asks for none.
   const auto wantsAnother = [&](const Series& series) {
     if (series.frames.size() < std::max(job.repetitions, 1u)) return true;
@@ -258,7 +258,7 @@ Result<void> runJob(const JobContext& context, const RenderJob& job, const Inter
   std::optional<Truth> truth;
   for (std::size_t i = 0; i < job.methods.size(); ++i) {
     const Method& method = job.methods[i];
-    const Frame frame(view, method);
+    Frame frame(view, method);
     auto series = timeFrames(context.device, frame, baseline ? &*baseline : nullptr, job, interrupt);
     if (!series) return std::unexpected(series.error());
 

@@ -11,6 +11,7 @@
 #include "shadow/store.h"
 #include "shadow/view_target.h"
 #include "shared/plan.h"
+#include "work.h"
 
 namespace sundial {
 
@@ -20,6 +21,10 @@ struct Pass {
   std::function<void(VkCommandBuffer)> record;  // device work, or
   std::function<void()> host;                   // host work, done when all earlier passes are
   std::uint64_t rays = 0;                       // traced by a host pass
+  // When device work is done: whether it must be recorded again, and what it counted beside the device's
+  // statistics.
+  std::function<bool()> again = {};
+  std::function<std::vector<Work>()> counted = {};
 };
 
 // What all methods that render one view share.
@@ -42,7 +47,7 @@ class Frame {
 
   // In the order of execution. With plan=delayed the first frame asks its own samples, before it plans; all
   // frames ask theirs at the end, for the frame after.
-  std::vector<Pass> passes() const;
+  std::vector<Pass> passes();
   // The next frame, from elsewhere or in other light: a view of the same scene, size and target.
   void look(const FrameView&);
   // The lookup at other samples than the view's, for methods with a map, after the passes before `resolve`:
@@ -58,20 +63,16 @@ class Frame {
   std::uint64_t totalBytes() const;  // with the plan, the lists of culling and what analysis needs
 
  private:
-  // A range of indirect draws for each of some views.
-  struct Draws {
-    const Buffer& commands;
-    const Buffer& counts;
-    std::uint32_t slot;  // whose turn it is in both
-  };
-
   void gbuffer(VkCommandBuffer) const;
   void analyze(VkCommandBuffer) const;
   void plan(VkCommandBuffer) const;
   void cull(VkCommandBuffer, std::uint32_t firstSlot, std::uint32_t slots) const;
   void readPlan(VkCommandBuffer) const;
+  void takeHostDraws(VkCommandBuffer) const;
   void cullByHost() const;
   void store(VkCommandBuffer) const;
+  bool storeAgain();
+  std::vector<Work> storeWork() const;
   void filter(VkCommandBuffer) const;
   void resolve(VkCommandBuffer) const;
   void shade(VkCommandBuffer) const;
@@ -82,7 +83,8 @@ class Frame {
   void bindTo(BindingSet&, const ViewTarget& samples) const;
   bool asksSamples() const;
   void dispatch(VkCommandBuffer, VkPipeline, std::uint32_t groups) const;
-  void drawSlot(VkCommandBuffer, const Draws&, VkPipeline opaque, VkPipeline masked, bool cullFaces) const;
+  void drawSlot(VkCommandBuffer, std::uint32_t slot, VkPipeline opaque, VkPipeline masked,
+                bool cullFaces) const;
   void push(VkCommandBuffer, std::uint32_t) const;
 
   FrameView view_;

@@ -1,18 +1,15 @@
 #include "shadow/linear_store.h"
 
-#include <algorithm>
-
-#include "gpu/rendering.h"
 #include "shadow/plan_settings.h"
 #include "shared/bindings.h"
 
 namespace sundial {
 
-LinearStore::LinearStore(const Device& device, const Method& method)
-    : maps_(mapsOf(method)),
-      texels_(texelsOf(mapSizesOf(method))),
-      depths_(device, texels_ * sizeof(float),
-              VK_BUFFER_USAGE_STORAGE_BUFFER_BIT | VK_BUFFER_USAGE_TRANSFER_DST_BIT),
+LinearStore::LinearStore(const Device& device, FramePipelines& pipelines, const Method& method,
+                         const shared::FrameConstants& constants)
+    : texels_(texelsOf(mapSizesOf(method))),
+      depths_(device, texels_ * sizeof(float), VK_BUFFER_USAGE_STORAGE_BUFFER_BIT),
+      rasteriser_(device, pipelines, {.coverage = shared::kCoverCentre}, shadowViewsOf(method), constants),
       unread_(device, {1, 1}, VK_FORMAT_D32_SFLOAT, VK_IMAGE_USAGE_SAMPLED_BIT),
       nearest_(makeSampler(device, VK_FILTER_NEAREST)) {
   device.submit([&](VkCommandBuffer command) {
@@ -20,16 +17,24 @@ LinearStore::LinearStore(const Device& device, const Method& method)
   });
 }
 
-void LinearStore::record(VkCommandBuffer command, const DrawView& draw) const {
+void LinearStore::record(VkCommandBuffer command, const DrawView&) const {
   vkCmdFillBuffer(command, depths_, 0, VK_WHOLE_SIZE, 0);
-  barrier(command);
-  VkExtent2D largest{1, 1};
-  for (const VkRect2D& map : maps_)
-    largest = {std::max(largest.width, map.extent.width), std::max(largest.height, map.extent.height)};
-  renderNowhere(command, largest, [&] { drawMaps(command, maps_, draw); });
-  barrier(command);
+  rasteriser_.record(command);
 }
 
-void LinearStore::bindTo(BindingSet& bindings) const { bindNoStore(bindings, unread_, nearest_, depths_); }
+bool LinearStore::again() {
+  if (!rasteriser_.overflowed()) return false;
+  rasteriser_.makeRoom();
+  return true;
+}
+
+std::vector<Work> LinearStore::work() const {
+  return {{"primitives", static_cast<double>(rasteriser_.triangles())}};
+}
+
+void LinearStore::bindTo(BindingSet& bindings) const {
+  bindNoStore(bindings, unread_, nearest_, depths_);
+  rasteriser_.bindTo(bindings);
+}
 
 }  // namespace sundial

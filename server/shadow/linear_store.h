@@ -1,24 +1,27 @@
-// storage=linear: maps of any sizes, one behind the other in a buffer. Fragments keep the nearest depth by
-// atomics.
+// storage=linear, and raster=compute: maps of any sizes, one behind the other in a buffer, drawn by the
+// compute rasteriser.
 #pragma once
 
+#include "shadow/rasteriser.h"
 #include "shadow/store.h"
 
 namespace sundial {
 
 class LinearStore : public Store {
  public:
-  LinearStore(const Device&, const Method&);
+  LinearStore(const Device&, FramePipelines&, const Method&, const shared::FrameConstants&);
 
   void record(VkCommandBuffer, const DrawView& draw) const override;
+  bool again() override;
+  std::vector<Work> work() const override;
   void bindTo(BindingSet&) const override;
   std::uint64_t texels() const override { return texels_; }
   std::uint64_t bytes() const override { return texels() * sizeof(float); }
 
  private:
-  std::vector<VkRect2D> maps_;
   std::uint64_t texels_;
   Buffer depths_;
+  Rasteriser rasteriser_;
   GpuImage unread_;
   Sampler nearest_;
 };

@@ -1,0 +1,29 @@
+#include "shadow/raster_choice.h"
+
+#include "shadow/plan_settings.h"
+
+namespace sundial {
+
+namespace {
+
+bool fitsBuffer(const Method& method, const Device& device) {
+  return texelsOf(mapSizesOf(method)) * sizeof(float) <= device.limits().maxStorageBufferRange;
+}
+
+}  // namespace
+
+Method withRaster(Method method, const Device& device, std::uint64_t triangles) {
+  if (!method.stages || method.settings.raster != Raster::automatic) return method;
+  if (method.stages->storage == Storage::linear) {
+    method.settings.raster = Raster::compute;
+  } else if (method.stages->storage == Storage::moments || !fitsBuffer(method, device)) {
+    method.settings.raster = Raster::pipeline;
+  } else {
+    method.settings.raster = triangles > 0 ? Raster::compute : Raster::pipeline;
+  }
+  return method;
+}
+
+bool isLinear(const Method& method) { return method.stages && method.settings.raster == Raster::compute; }
+
+}  // namespace sundial

@@ -359,6 +359,8 @@ shared::Plan Frame::downloadPlan() const {
   return plan;
 }
 
+std::vector<float> Frame::downloadDepths() const { return store_ ? store_->depths() : std::vector<float>(); }
+
 std::uint64_t Frame::storeTexels() const { return store_ ? store_->texels() : 0; }
 
 std::uint64_t Frame::storeBytes() const { return store_ ? store_->bytes() : 0; }

@@ -57,7 +57,8 @@ class Frame {
   // What answered each sample, into the target's `answers`; for methods with a map, after the passes.
   void recordAnswers(VkCommandBuffer) const;
 
-  shared::Plan downloadPlan() const;  // viewCount 0 for methods without a map
+  shared::Plan downloadPlan() const;          // viewCount 0 for methods without a map
+  std::vector<float> downloadDepths() const;  // Store::depths()
   std::uint64_t storeTexels() const;
   std::uint64_t storeBytes() const;
   std::uint64_t totalBytes() const;  // with the plan, the lists of culling and what analysis needs

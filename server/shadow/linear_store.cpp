@@ -7,7 +7,8 @@ namespace sundial {
 
 LinearStore::LinearStore(const Device& device, FramePipelines& pipelines, const Method& method,
                          const shared::FrameConstants& constants)
-    : texels_(texelsOf(mapSizesOf(method))),
+    : device_(device),
+      texels_(texelsOf(mapSizesOf(method))),
       depths_(device, texels_ * sizeof(float), VK_BUFFER_USAGE_STORAGE_BUFFER_BIT),
       rasteriser_(device, pipelines, {.coverage = shared::kCoverCentre}, shadowViewsOf(method), constants),
       unread_(device, {1, 1}, VK_FORMAT_D32_SFLOAT, VK_IMAGE_USAGE_SAMPLED_BIT),
@@ -31,6 +32,8 @@ bool LinearStore::again() {
 std::vector<Work> LinearStore::work() const {
   return {{"primitives", static_cast<double>(rasteriser_.triangles())}};
 }
+
+std::vector<float> LinearStore::depths() const { return valuesOf<float>(downloaded(device_, depths_)); }
 
 void LinearStore::bindTo(BindingSet& bindings) const {
   bindNoStore(bindings, unread_, nearest_, depths_);

@@ -15,10 +15,12 @@ class LinearStore : public Store {
   bool again() override;
   std::vector<Work> work() const override;
   void bindTo(BindingSet&) const override;
+  std::vector<float> depths() const override;
   std::uint64_t texels() const override { return texels_; }
   std::uint64_t bytes() const override { return texels() * sizeof(float); }
 
  private:
+  const Device& device_;
   std::uint64_t texels_;
   Buffer depths_;
   Rasteriser rasteriser_;

@@ -19,7 +19,7 @@ Method withRaster(Method method, const Device& device, std::uint64_t triangles) 
   } else if (method.stages->storage == Storage::moments || !fitsBuffer(method, device)) {
     method.settings.raster = Raster::pipeline;
   } else {
-    method.settings.raster = triangles > 0 ? Raster::compute : Raster::pipeline;
+    method.settings.raster = triangles == 0 ? Raster::compute : Raster::pipeline;
   }
   return method;
 }

@@ -39,6 +39,9 @@ class Store {
   virtual bool filters() const { return false; }
   virtual void filter(VkCommandBuffer) const {}
   virtual void bindTo(BindingSet&) const = 0;
+  // The depths of all maps as they lie in the store: texel by texel of answers.frag. Empty where it holds
+  // none.
+  virtual std::vector<float> depths() const { return {}; }
   virtual std::uint64_t texels() const = 0;  // of all maps
   virtual std::uint64_t bytes() const = 0;   // of memory
 };

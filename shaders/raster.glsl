@@ -7,6 +7,7 @@
 #define SUNDIAL_RASTER_GLSL
 #include "material.glsl"
 #include "raster_state.glsl"
+#include "raster_triangle_id.glsl"
 
 layout(constant_id = 0) const uint kCoverage = kCoverCentre;
 layout(constant_id = 1) const bool kMasked = false;
@@ -15,9 +16,6 @@ const uint kKind = kMasked ? 1 : 0;
 
 // What becomes of a covered texel: a shader that includes this defines it. `index` counts the store's texels.
 void keep(uint index, float depth, uint id);
-
-// A triangle of the scene, told by its draw and its place in the draw's cluster; and back.
-uint triangleId(uint draw, uint triangle) { return draw * kMaxClusterTriangles + triangle; }
 
 // A vertex in a view.
 struct Corner {
@@ -37,7 +35,7 @@ struct Placed {
 void readTriangle(uint view, uint id, out Corner corners[3]) {
   const Draw draw = drawAt(id / kMaxClusterTriangles);
   const Instance place = instanceAt(draw.instance);
-  const Triangle triangle = triangleAt(clusters[draw.cluster].firstIndex / 3 + id % kMaxClusterTriangles);
+  const Triangle triangle = triangleAt(triangleOf(id));
   const mat4 shadowFromWorld = plan.views[view].shadowFromWorld;
   for (int i = 0; i < 3; ++i) {
     corners[i].clip = shadowFromWorld * vec4(placed(place, vertexPosition(triangle.vertices[i])), 1);

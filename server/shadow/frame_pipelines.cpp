@@ -91,10 +91,17 @@ std::string_view lookupShader(Lookup lookup) {
       return "lookup_hard.frag";
     case Lookup::pcf:
       return "lookup_pcf.frag";
+    case Lookup::exact3x3:
+      return "lookup_exact_3x3.frag";
     case Lookup::evsm:
       return "lookup_evsm.frag";
   }
   return {};
+}
+
+std::uint32_t storeOf(const Method& method) {
+  if (!isLinear(method)) return shared::kStoreImage;
+  return method.stages->storage == Storage::depthId ? shared::kStoreIds : shared::kStoreDepths;
 }
 
 Specialization lookupConstants(const Method& method) {
@@ -105,7 +112,7 @@ Specialization lookupConstants(const Method& method) {
     if (method.settings.choose == Choose::tightest) return shared::kChooseTightest;
     return stages.focus == Focus::snapped ? shared::kChooseRadius : shared::kChooseDepth;
   }();
-  return {isLinear(method), choice, shadowViewsOf(method), method.settings.blend > 0};
+  return {storeOf(method), choice, shadowViewsOf(method), method.settings.blend > 0};
 }
 
 }  // namespace

@@ -1,16 +1,26 @@
 #include "shadow/linear_store.h"
 
 #include "shadow/plan_settings.h"
+#include "shadow/raster_choice.h"
 #include "shared/bindings.h"
 
 namespace sundial {
+
+namespace {
+
+RasterChoice rasterOf(const Stages& stages) {
+  return {.ids = stages.storage == Storage::depthId, .coverage = shared::kCoverCentre};
+}
+
+}  // namespace
 
 LinearStore::LinearStore(const Device& device, FramePipelines& pipelines, const Method& method,
                          const shared::FrameConstants& constants)
     : device_(device),
       texels_(texelsOf(mapSizesOf(method))),
-      depths_(device, texels_ * sizeof(float), VK_BUFFER_USAGE_STORAGE_BUFFER_BIT),
-      rasteriser_(device, pipelines, {.coverage = shared::kCoverCentre}, shadowViewsOf(method), constants),
+      bytesPerTexel_(linearBytesPerTexel(*method.stages)),
+      maps_(device, texels_ * bytesPerTexel_, VK_BUFFER_USAGE_STORAGE_BUFFER_BIT),
+      rasteriser_(device, pipelines, rasterOf(*method.stages), shadowViewsOf(method), constants),
       unread_(device, {1, 1}, VK_FORMAT_D32_SFLOAT, VK_IMAGE_USAGE_SAMPLED_BIT),
       nearest_(makeSampler(device, VK_FILTER_NEAREST)) {
   device.submit([&](VkCommandBuffer command) {
@@ -19,7 +29,7 @@ LinearStore::LinearStore(const Device& device, FramePipelines& pipelines, const 
 }
 
 void LinearStore::record(VkCommandBuffer command, const DrawView&) const {
-  vkCmdFillBuffer(command, depths_, 0, VK_WHOLE_SIZE, 0);
+  vkCmdFillBuffer(command, maps_, 0, VK_WHOLE_SIZE, 0);
   rasteriser_.record(command);
 }
 
@@ -33,10 +43,16 @@ std::vector<Work> LinearStore::work() const {
   return {{"primitives", static_cast<double>(rasteriser_.triangles())}};
 }
 
-std::vector<float> LinearStore::depths() const { return valuesOf<float>(downloaded(device_, depths_)); }
+std::vector<float> LinearStore::depths() const {
+  const auto words = valuesOf<float>(downloaded(device_, maps_));
+  const std::size_t stride = bytesPerTexel_ / sizeof(float);
+  std::vector<float> out(texels_);
+  for (std::size_t i = 0; i < texels_; ++i) out[i] = words[stride * i + stride - 1];  // behind the triangle
+  return out;
+}
 
 void LinearStore::bindTo(BindingSet& bindings) const {
-  bindNoStore(bindings, unread_, nearest_, depths_);
+  bindNoStore(bindings, unread_, nearest_, maps_);
   rasteriser_.bindTo(bindings);
 }
 

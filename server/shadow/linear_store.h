@@ -1,5 +1,5 @@
-// storage=linear, and raster=compute: maps of any sizes, one behind the other in a buffer, drawn by the
-// compute rasteriser.
+// storage=linear, storage=depth-id, and raster=compute: maps of any sizes, one behind the other in a buffer,
+// drawn by the compute rasteriser.
 #pragma once
 
 #include "shadow/rasteriser.h"
@@ -17,12 +17,12 @@ class LinearStore : public Store {
   void bindTo(BindingSet&) const override;
   std::vector<float> depths() const override;
   std::uint64_t texels() const override { return texels_; }
-  std::uint64_t bytes() const override { return texels() * sizeof(float); }
+  std::uint64_t bytes() const override { return texels_ * bytesPerTexel_; }
 
  private:
   const Device& device_;
-  std::uint64_t texels_;
-  Buffer depths_;
+  std::uint64_t texels_, bytesPerTexel_;
+  Buffer maps_;
   Rasteriser rasteriser_;
   GpuImage unread_;
   Sampler nearest_;

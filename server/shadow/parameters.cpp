@@ -325,7 +325,8 @@ std::optional<std::string> whyInconsistent(const Stages& stages, const Method::S
   if (stages.storage == Storage::moments && settings.exponents.size() != 2)
     return fmt::format("exponents: {} of them; give the positive and the negative one: 40:5",
                        settings.exponents.size());
-  if (stages.storage == Storage::linear && settings.raster == Raster::pipeline)
+  if ((stages.storage == Storage::linear || stages.storage == Storage::depthId) &&
+      settings.raster == Raster::pipeline)
     return "maps in one linear buffer are drawn by compute, because the pipeline draws into images: use "
            "raster=compute";
   if (stages.partition == Partition::tiles) {

@@ -11,6 +11,9 @@ namespace sundial {
 // rule.
 Method withRaster(Method, const Device&, std::uint64_t triangles);
 
+// Of maps in a linear buffer.
+std::uint64_t linearBytesPerTexel(const Stages&);
+
 // Whether maps lie in a linear buffer. Of a method whose raster isn't auto.
 bool isLinear(const Method&);
 

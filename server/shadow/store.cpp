@@ -27,13 +27,17 @@ std::vector<VkRect2D> mapsOf(const Method& method) {
 std::optional<std::string> whyTooLarge(const Method& method, const Device& device) {
   if (!method.stages) return std::nullopt;
   const std::uint64_t views = shadowViewsOf(method);
-  if (method.stages->storage == Storage::linear || method.settings.raster == Raster::compute) {
-    const std::uint64_t texels = texelsOf(mapSizesOf(method));
+  const bool ids = method.stages->storage == Storage::depthId;
+  if (ids && !device.hasInt64Atomics())
+    return "storage=depth-id keeps depths and triangles by 64-bit atomics, which this device can't: use "
+           "storage=depth";
+  if (ids || method.stages->storage == Storage::linear || method.settings.raster == Raster::compute) {
+    const std::uint64_t bytes = texelsOf(mapSizesOf(method)) * linearBytesPerTexel(*method.stages);
     const std::uint64_t most = device.limits().maxStorageBufferRange;
-    if (4 * texels > most)
+    if (bytes > most)
       return fmt::format(
-          "its maps take {} bytes of one buffer, this device's have at most {}: ask for smaller ones",
-          4 * texels, most);
+          "its maps take {} bytes of one buffer, this device's have at most {}: ask for smaller ones", bytes,
+          most);
     return std::nullopt;
   }
   if (method.stages->storage == Storage::moments) {

@@ -14,7 +14,7 @@ SUNDIAL_CONST kBindPlan = 4u;       // Plan
 SUNDIAL_CONST kBindCommands = 5u;   // DrawCommand[]
 SUNDIAL_CONST kBindVisible = 6u;    // uvec2[]: a bit a draw, by cull slot and chunk
 SUNDIAL_CONST kBindCounts = 7u;     // uint[]: commands, by cull slot and bucket
-SUNDIAL_CONST kBindLinear = 8u;  // uint[]: the bits of depths, storage=linear
+SUNDIAL_CONST kBindLinear = 8u;  // uint[]: the bits of depths, or pairs of triangle and depth: maps in a linear buffer
 SUNDIAL_CONST kBindRaster = 9u;  // RasterState
 SUNDIAL_CONST kBindListed = 10u;  // ListedTriangle[]
 SUNDIAL_CONST kBindParts = 11u;  // RasterPart[]

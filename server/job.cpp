@@ -225,6 +225,9 @@ std::optional<std::string> whyInvalid(glm::uvec2 size, const std::vector<Method>
 std::optional<std::string> whyInvalid(const RenderJob& job, const Device& device) {
   if (!job.scene) return "scene: none is given";
   if (auto why = whyInvalid(job.size, job.methods, device)) return why;
+  for (const Method& method : job.methods)
+    if (method.row->technique == Technique::shadowVolumes)
+      if (auto why = whyNoVolumes(*job.scene)) return fmt::format("method {}: {}", method.label(), *why);
   if (auto why = whyInvalid(job.view)) return why;
   return whyInvalid(job.light);
 }
@@ -242,6 +245,11 @@ Result<void> runJob(const JobContext& context, const RenderJob& job, const Inter
   if (needsReference && !context.scene.reference)
     context.scene.reference = std::make_unique<Reference>(context.scene.scene);
 
+  const auto isVolumes = [](const Method& m) { return m.row->technique == Technique::shadowVolumes; };
+  if ((std::ranges::any_of(job.methods, isVolumes) || (job.baseline && isVolumes(*job.baseline))) &&
+      !context.scene.edges)
+    context.scene.edges = std::make_unique<EdgeBuffers>(context.device, context.scene.buffers);
+
   Light light = job.light;
   light.direction = glm::normalize(light.direction);
   const FrameView view{.device = context.device,
@@ -249,6 +257,7 @@ Result<void> runJob(const JobContext& context, const RenderJob& job, const Inter
                        .scene = context.scene.buffers,
                        .target = context.target,
                        .reference = context.scene.reference.get(),
+                       .edges = context.scene.edges.get(),
                        .light = light,
                        .origin = origin,
                        .constants = frameConstants(scene, job.view, light, job.size, origin)};

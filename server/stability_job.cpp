@@ -41,6 +41,7 @@ class Stage {
             .scene = context_.scene.buffers,
             .target = context_.target,
             .reference = context_.scene.reference.get(),
+            .edges = nullptr,
             .light = job_.lights[f],
             .origin = origin,
             .constants = frameConstants(scene, job_.views[f], job_.lights[f], job_.size, origin)};

@@ -21,6 +21,10 @@ layout(set = 0, binding = kBindAttributes) uniform usamplerBuffer attributeTexel
 layout(set = 0, binding = kBindTriangles) uniform usamplerBuffer triangleTexels;
 layout(set = 0, binding = kBindDraws) uniform usamplerBuffer drawTexels;
 layout(set = 0, binding = kBindInstances) uniform samplerBuffer instanceTexels;
+layout(set = 0, binding = kBindEdges) uniform usamplerBuffer edgeTexels;
+layout(set = 0, binding = kBindEdgeSides) uniform usamplerBuffer edgeSideTexels;
+layout(set = 0, binding = kBindClusterEdges) uniform usamplerBuffer clusterEdgeTexels;
+layout(set = 0, binding = kBindPlanes) uniform samplerBuffer planeTexels;
 layout(set = 0, binding = kBindTextures) uniform sampler2DArray textures;
 layout(set = 0, binding = kBindDepth) uniform sampler2D gbufferDepth;
 layout(set = 0, binding = kBindIds) uniform usampler2D gbufferIds;

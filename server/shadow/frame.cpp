@@ -73,6 +73,8 @@ Frame::Frame(const FrameView& view, const Method& method)
       hostCounts_.emplace(view.device, shadowViews_ * shared::kBuckets * sizeof(std::uint32_t), kIndirect,
                           MemoryUse::upload);
     }
+  } else if (method.row->technique == Technique::shadowVolumes) {
+    volumes_.emplace(view.device, view.pipelines, *view.edges, view.constants.imageSize);
   } else {
     hostPositions_.emplace(view.device, pixels(view) * sizeof(glm::uvec4), 0, MemoryUse::readback);
     hostNormals_.emplace(view.device, pixels(view) * sizeof(glm::uvec4), 0, MemoryUse::readback);
@@ -90,6 +92,8 @@ void Frame::bindTo(BindingSet& bindings, const ViewTarget& samples) const {
   bindings.set(shared::kBindCommands, commands_);
   bindings.set(shared::kBindVisible, visible_);
   bindings.set(shared::kBindCounts, counts_);
+  bindings.set(shared::kBindSilhouette, analysis_);
+  if (volumes_) return volumes_->bindTo(bindings);
   if (store_) return store_->bindTo(bindings);
   bindNoStore(bindings, samples.visibility, nearest_, plan_);
 }
@@ -112,6 +116,11 @@ std::vector<Pass> Frame::passes() {
             {.name = "readback", .record = on(&Frame::readSamples)},
             {.name = "trace", .host = [this] { trace(); }, .rays = pixels(view_)},
             {.name = "resolve", .record = on(&Frame::takeVisibility)},
+            shade};
+  if (volumes_)
+    return {gbuffer,
+            {.name = "volumes", .record = on(&Frame::countVolumes)},
+            {.name = "resolve", .record = on(&Frame::resolveVolumes)},
             shade};
 
   const Pass analyze{.name = "analyze", .record = on(&Frame::analyze)};
@@ -318,6 +327,23 @@ void Frame::takeVisibility(VkCommandBuffer command) const {
   copyToImage(command, *hostVisibility_, view_.target.visibility);
 }
 
+// How many volumes each view sample is in. What the camera sees of the caps is what it sees of the scene.
+void Frame::countVolumes(VkCommandBuffer command) const {
+  bindings_.bind(command);
+  volumes_->count(command, view_.pipelines.layout.pipeline(), [&](VkPipeline caps) {
+    drawSlot(command, {commands_, counts_, shared::kCameraSlot}, caps, caps, false);
+  });
+}
+
+void Frame::resolveVolumes(VkCommandBuffer command) const {
+  bindings_.bind(command);
+  renderInto(command, {&view_.target.visibility}, nullptr, [&] {
+    vkCmdBindPipeline(command, VK_PIPELINE_BIND_POINT_GRAPHICS,
+                      view_.pipelines.fullscreen("resolve_volumes.frag", VK_FORMAT_R32_SFLOAT, {}));
+    vkCmdDraw(command, 3, 1, 0, 0);
+  });
+}
+
 void Frame::recordAnswers(VkCommandBuffer command) const {
   bindings_.bind(command);
   renderInto(command, {&view_.target.answers}, nullptr, [&] {
@@ -367,6 +393,8 @@ std::uint64_t Frame::storeBytes() const { return store_ ? store_->bytes() : 0; }
 
 std::uint64_t Frame::totalBytes() const {
   std::uint64_t bytes = storeBytes();
+  if (volumes_)
+    bytes += volumes_->bytes() + view_.edges->bytes() + commands_.size() + visible_.size() + counts_.size();
   if (method_.stages)
     bytes += analysis_.size() + plan_.size() + commands_.size() + visible_.size() + counts_.size();
   for (const auto* buffer :

@@ -8,6 +8,7 @@
 #include "shadow/frame_pipelines.h"
 #include "shadow/method.h"
 #include "shadow/scene_buffers.h"
+#include "shadow/shadow_volumes.h"
 #include "shadow/store.h"
 #include "shadow/view_target.h"
 #include "shared/plan.h"
@@ -34,6 +35,7 @@ struct FrameView {
   const SceneBuffers& scene;
   const ViewTarget& target;
   const Reference* reference;  // for Technique::rayTraced
+  const EdgeBuffers* edges;    // for Technique::shadowVolumes
   Light light;
   glm::dvec3 origin;                 // world position of GPU coordinates' zero
   shared::FrameConstants constants;  // frameConstants()
@@ -80,6 +82,8 @@ class Frame {
   void readSamples(VkCommandBuffer) const;
   void trace() const;
   void takeVisibility(VkCommandBuffer) const;
+  void countVolumes(VkCommandBuffer) const;
+  void resolveVolumes(VkCommandBuffer) const;
 
   void bindTo(BindingSet&, const ViewTarget& samples) const;
   bool asksSamples() const;
@@ -99,6 +103,7 @@ class Frame {
   // plan=readback alone: the plan on its way to the host, and what the host leaves of the draws.
   std::optional<Buffer> hostPlan_, hostCommands_, hostCounts_;
   mutable std::optional<glm::dvec3> analysedAt_;  // the origin of the last analysis that was recorded
+  std::optional<ShadowVolumes> volumes_;
   // Ray tracing alone: view samples on their way to the host, visibility on its way back.
   std::optional<Buffer> hostPositions_, hostNormals_, hostVisibility_;
 };

@@ -190,6 +190,22 @@ VkPipeline FramePipelines::multisampled(std::string_view vertex, std::string_vie
   return found->second;
 }
 
+VkPipeline FramePipelines::volume(std::string_view vertex) {
+  const auto [found, added] = variants_.try_emplace({vertex, {}});
+  if (added) {
+    GraphicsPipelineInfo info{.vertexShader = vertex,
+                              .fragmentShader = "volume_count.frag",
+                              .colourFormats = {VK_FORMAT_R32_SFLOAT},
+                              .adds = true};
+    if (vertex == "volume_cap.vert") {
+      info.vertexBindings = SceneBuffers::vertexBindings(false);
+      info.vertexAttributes = SceneBuffers::vertexAttributes(true, false);
+    }
+    found->second = makeGraphicsPipeline(device_, layout, info);
+  }
+  return found->second;
+}
+
 VkPipeline FramePipelines::compute(std::string_view shader, const Specialization& constants) {
   const auto [found, added] = variants_.try_emplace({shader, constants});
   if (added) found->second = makeComputePipeline(device_, layout, shader, constants);

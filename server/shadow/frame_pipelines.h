@@ -45,6 +45,10 @@ class FramePipelines {
   // Made when they are first asked for. A method with a map; one without has no pipelines of its own.
   MethodPipelines of(const Method&);
   RasterPipelines raster(const RasterChoice&, bool opaque, bool masked);
+  // The same for passes beside the stages.
+  VkPipeline compute(std::string_view shader, const Specialization&);
+  VkPipeline fullscreen(std::string_view shader, VkFormat, const Specialization&);
+  VkPipeline volume(std::string_view vertex);  // faces of shadow volumes, counted
 
   BindingLayout layout;
   Pipeline gbuffer, gbufferMasked, samples;
@@ -54,8 +58,6 @@ class FramePipelines {
  private:
   // Into four samples a texel.
   VkPipeline multisampled(std::string_view vertex, std::string_view fragment, bool masked);
-  VkPipeline compute(std::string_view shader, const Specialization&);
-  VkPipeline fullscreen(std::string_view shader, VkFormat, const Specialization&);
 
   const Device& device_;
   Pipeline storeDepth_, storeDepthMasked_;

@@ -26,7 +26,7 @@ struct Parameter {
   std::vector<std::string_view> choices = {};
 };
 
-enum class Technique { shadowMap, rayTraced };
+enum class Technique { shadowMap, rayTraced, shadowVolumes };
 
 struct MethodRow {
   std::string_view name;

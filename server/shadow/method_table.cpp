@@ -95,6 +95,10 @@ std::span<const MethodRow> methodTable() {
                        Storage::linear, Lookup::hard},
                 "[Alecu 2014] section 4.3",
                 {{"plan", "delayed"}}},
+      MethodRow{
+          "shadow-volumes", "Shadow volumes, counted behind each pixel's sample: exact, without a map",
+          Technique::shadowVolumes, std::nullopt,
+          "[Everitt and Kilgard 2002], [Aldridge and Woods 2004]; what the papers hold themselves against"},
       MethodRow{"ray-traced", "A shadow ray a pixel: the reference, timed like a method",
                 Technique::rayTraced, std::nullopt, "[Whitted 1980], by Embree"},
   };

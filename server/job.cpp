@@ -225,8 +225,12 @@ std::optional<std::string> whyInvalid(glm::uvec2 size, const std::vector<Method>
 std::optional<std::string> whyInvalid(const RenderJob& job, const Device& device) {
   if (!job.scene) return "scene: none is given";
   if (auto why = whyInvalid(job.size, job.methods, device)) return why;
+  const auto counts = [](const Method& m) { return m.row->technique == Technique::shadowVolumes; };
+  if (job.baseline && counts(*job.baseline))
+    if (auto why = whyNoVolumes(*job.scene))
+      return fmt::format("baseline {}: {}", job.baseline->label(), *why);
   for (const Method& method : job.methods)
-    if (method.row->technique == Technique::shadowVolumes)
+    if (counts(method))
       if (auto why = whyNoVolumes(*job.scene)) return fmt::format("method {}: {}", method.label(), *why);
   if (auto why = whyInvalid(job.view)) return why;
   return whyInvalid(job.light);

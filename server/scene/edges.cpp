@@ -20,8 +20,8 @@ struct Side {
 
 // Per index of the mesh's triangles, from its first: the one vertex that stands for all in its place.
 std::vector<std::uint32_t> mergedVertices(const Scene& scene, const Mesh& mesh) {
-  const auto begin = scene.indices.begin() + std::size_t{3} * mesh.firstTriangle;
-  const std::span<const std::uint32_t> indices(begin, begin + std::size_t{3} * mesh.triangleCount);
+  const auto indices = std::span(scene.indices)
+                           .subspan(std::size_t{3} * mesh.firstTriangle, std::size_t{3} * mesh.triangleCount);
   std::vector<std::uint32_t> order(indices.size());
   std::iota(order.begin(), order.end(), 0u);
   const auto place = [&](std::uint32_t i) {
@@ -65,7 +65,8 @@ SceneEdges findEdges(const Scene& scene) {
   SceneEdges found;
   std::vector<std::uint32_t> clusterOf(scene.indices.size() / 3);
   for (std::uint32_t c = 0; c < scene.clusters.size(); ++c)
-    std::fill_n(clusterOf.begin() + scene.clusters[c].firstIndex / 3, scene.clusters[c].indexCount / 3, c);
+    std::ranges::fill(
+        std::span(clusterOf).subspan(scene.clusters[c].firstIndex / 3, scene.clusters[c].indexCount / 3), c);
 
   std::vector<std::uint32_t> cluster;  // of each edge
   for (const Mesh& mesh : scene.meshes) {

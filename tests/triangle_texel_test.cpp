@@ -123,7 +123,7 @@ TEST(Silhouette, PatternsTellWhereTheLightLies) {
   EXPECT_EQ(edgesIn({4, 5, 6}), Edges{2});                // light at the upper right
   EXPECT_EQ(edgesIn({0, 2, 3, 4, 5, 6, 7}), Edges{2});    // one lit corner
   EXPECT_EQ(edgesIn({2, 6}), (Edges{8, 0}));              // a bar: lit on both sides
-  EXPECT_EQ(edgesIn({2, 1, 3, 5, 6, 7}), (Edges{8, 0}));  // a broad one
+  EXPECT_EQ(edgesIn({2, 1, 3, 5, 6, 7}), (Edges{0, 8}));  // a broad one
   EXPECT_EQ(edgesIn({4, 3, 1}), edgesIn({4, 3}));         // a corner of its own doesn't count
   EXPECT_EQ(edgesIn({1, 3, 5, 7}), Edges{});              // nor do four
   EXPECT_EQ(edgesIn({0, 1, 2, 3, 4, 5, 6, 7}), Edges{});

@@ -161,8 +161,8 @@ bool settled(const Series& series, double target) {
   return q.upper - q.lower <= target * q.median;
 }
 
-Result<Series> timeFrames(const Device& device, const Frame& frame, const Frame* baseline,
-                          const RenderJob& job, const Interrupt& interrupt) {
+Result<Series> timeFrames(const Device& device, Frame& frame, Frame* baseline, const RenderJob& job,
+                          const Interrupt& interrupt) {
   // Noise is answered with more rounds, within bounds; a job without timed frames asks for none.
   const auto wantsAnother = [&](const Series& series) {
     if (series.frames.size() < std::max(job.repetitions, 1u)) return true;
@@ -225,6 +225,13 @@ std::optional<std::string> whyInvalid(glm::uvec2 size, const std::vector<Method>
 std::optional<std::string> whyInvalid(const RenderJob& job, const Device& device) {
   if (!job.scene) return "scene: none is given";
   if (auto why = whyInvalid(job.size, job.methods, device)) return why;
+  const auto counts = [](const Method& m) { return m.row->technique == Technique::shadowVolumes; };
+  if (job.baseline && counts(*job.baseline))
+    if (auto why = whyNoVolumes(*job.scene))
+      return fmt::format("baseline {}: {}", job.baseline->label(), *why);
+  for (const Method& method : job.methods)
+    if (counts(method))
+      if (auto why = whyNoVolumes(*job.scene)) return fmt::format("method {}: {}", method.label(), *why);
   if (auto why = whyInvalid(job.view)) return why;
   return whyInvalid(job.light);
 }
@@ -242,6 +249,11 @@ Result<void> runJob(const JobContext& context, const RenderJob& job, const Inter
   if (needsReference && !context.scene.reference)
     context.scene.reference = std::make_unique<Reference>(context.scene.scene);
 
+  const auto isVolumes = [](const Method& m) { return m.row->technique == Technique::shadowVolumes; };
+  if ((std::ranges::any_of(job.methods, isVolumes) || (job.baseline && isVolumes(*job.baseline))) &&
+      !context.scene.edges)
+    context.scene.edges = std::make_unique<EdgeBuffers>(context.device, context.scene.buffers);
+
   Light light = job.light;
   light.direction = glm::normalize(light.direction);
   const FrameView view{.device = context.device,
@@ -249,6 +261,7 @@ Result<void> runJob(const JobContext& context, const RenderJob& job, const Inter
                        .scene = context.scene.buffers,
                        .target = context.target,
                        .reference = context.scene.reference.get(),
+                       .edges = context.scene.edges.get(),
                        .light = light,
                        .origin = origin,
                        .constants = frameConstants(scene, job.view, light, job.size, origin)};
@@ -258,7 +271,7 @@ Result<void> runJob(const JobContext& context, const RenderJob& job, const Inter
   std::optional<Truth> truth;
   for (std::size_t i = 0; i < job.methods.size(); ++i) {
     const Method& method = job.methods[i];
-    const Frame frame(view, method);
+    Frame frame(view, method);
     auto series = timeFrames(context.device, frame, baseline ? &*baseline : nullptr, job, interrupt);
     if (!series) return std::unexpected(series.error());
 

@@ -9,6 +9,7 @@
 #include "renderer.h"
 #include "shadow/frame_pipelines.h"
 #include "shadow/scene_buffers.h"
+#include "shadow/shadow_volumes.h"
 #include "shadow/view_target.h"
 
 namespace sundial {
@@ -19,6 +20,7 @@ struct ResidentScene {
   std::shared_ptr<const Scene> scene;  // owns nothing
   SceneBuffers buffers;
   std::unique_ptr<Reference> reference = nullptr;  // built when first asked for
+  std::unique_ptr<EdgeBuffers> edges = nullptr;    // too
 };
 
 struct JobContext {

@@ -41,6 +41,7 @@ class Stage {
             .scene = context_.scene.buffers,
             .target = context_.target,
             .reference = context_.scene.reference.get(),
+            .edges = nullptr,
             .light = job_.lights[f],
             .origin = origin,
             .constants = frameConstants(scene, job_.views[f], job_.lights[f], job_.size, origin)};
@@ -239,6 +240,13 @@ Result<void> runMethod(const JobContext& context, const Stage& stage, PointTarge
 std::optional<std::string> whyInvalid(const StabilityJob& job, const Device& device) {
   if (!job.scene) return "scene: none is given";
   if (auto why = whyInvalid(job.size, job.methods, device)) return why;
+  for (const Method& method : job.methods)
+    if (method.row->technique == Technique::shadowVolumes)
+      return fmt::format(
+          "method {}: volumes are counted along the rays of pixels, so points between them have no answer: "
+          "use "
+          "ray-traced, which says the same",
+          method.label());
   if (job.views.empty() || job.views.size() > kMaxStabilityFrames)
     return fmt::format("frames: {}; must be in [1, {}]", job.views.size(), kMaxStabilityFrames);
   if (job.lights.size() != job.views.size())

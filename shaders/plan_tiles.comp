@@ -57,6 +57,7 @@ void main() {
   writeView(view, box, frame.lightFromWorld, texels);
   uint before = 0;
   for (uint v = 0; v < view; ++v) before += frame.settings.tileTexels[v] * frame.settings.tileTexels[v];
+  plan.views[view].rectOffset = uvec2(0);
   plan.views[view].linearOffset = before;
   plan.views[view].sampleCount = analysis.sampleCount[tile];
   plan.views[view].importance = analysis.importance[tile];

@@ -88,9 +88,8 @@ void writePlan(uint viewCount, mat4 lightFromWorld) {
 void placeMap(uint view) {
   const uint columns = frame.settings.mapColumns;
   const uvec2 size = frame.settings.mapSize;
-  const bool linear = frame.storeSize.y == 1;
-  plan.views[view].rectOffset = linear ? uvec2(0) : uvec2(view % columns, view / columns) * size;
-  plan.views[view].linearOffset = linear ? view * size.x * size.y : 0;
+  plan.views[view].rectOffset = uvec2(view % columns, view / columns) * size;
+  plan.views[view].linearOffset = view * size.x * size.y;
   plan.views[view].sampleCount = 0;
   plan.views[view].importance = 0;
   plan.views[view].depthBegin = 0;

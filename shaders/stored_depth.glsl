@@ -2,8 +2,9 @@
 #ifndef SUNDIAL_STORED_DEPTH_GLSL
 #define SUNDIAL_STORED_DEPTH_GLSL
 #include "receiver.glsl"
+#include "shared/choices.h"
 
-layout(constant_id = 0) const bool kLinear = false;  // storage=linear
+layout(constant_id = 0) const uint kStore = kStoreImage;
 
 // In the view's map.
 ivec2 texelIn(uint view, vec2 position) {
@@ -12,14 +13,15 @@ ivec2 texelIn(uint view, vec2 position) {
 
 // Of the texel among all of the store's.
 uint indexInStore(uint view, ivec2 texel) {
-  if (kLinear)
+  if (kStore != kStoreImage)
     return plan.views[view].linearOffset + uint(texel.y) * plan.views[view].rectSize.x + uint(texel.x);
   const uvec2 at = plan.views[view].rectOffset + uvec2(texel);
   return at.y * frame.storeSize.x + at.x;
 }
 
 float storedDepth(uint view, ivec2 texel) {
-  if (kLinear) return uintBitsToFloat(linearStore[indexInStore(view, texel)]);
+  if (kStore == kStoreDepths) return uintBitsToFloat(linearStore[indexInStore(view, texel)]);
+  if (kStore == kStoreIds) return uintBitsToFloat(linearStore[2 * indexInStore(view, texel) + 1]);
   return texelFetch(store, ivec2(plan.views[view].rectOffset) + texel, 0).r;
 }
 

@@ -6,7 +6,9 @@
 #include <cstring>
 #include <glm/gtc/matrix_inverse.hpp>
 #include <limits>
+#include <map>
 #include <random>
+#include <set>
 
 #include "scene/builtin/grid.h"
 #include "scene/builtin/random.h"
@@ -72,6 +74,7 @@ TEST(Builtin, TriangleCountsAreNearThoseOfThePapers) {
   EXPECT_NEAR(count("village"), 226'000, 2'000);
   EXPECT_NEAR(count("city"), 2'300'000, 20'000);
   EXPECT_NEAR(count("city?seed=2"), 2'300'000, 100'000);
+  EXPECT_NEAR(count("knot"), 155'000, 1'500);
   EXPECT_EQ(count("grid"), 202);
 }
 
@@ -89,6 +92,36 @@ TEST(Builtin, VillageIsOneMeshOfSmallClusters) {
   std::ranges::sort(sizes);
   EXPECT_LT(sizes[sizes.size() / 2], 0.02 * scene->bounds.diagonal());
   EXPECT_LT(sizes.back(), 0.15 * scene->bounds.diagonal());
+}
+
+// Every edge of its shells has two triangles that pass it in opposite directions, the seams' too; and each
+// cell has a hole.
+TEST(Builtin, KnotIsTwoClosedSurfacesFullOfHoles) {
+  const Result<Scene> scene = makeBuiltin("knot?along=24");
+  ASSERT_TRUE(scene);
+  const Mesh& mesh = scene->meshes[scene->instances[0].mesh];
+  using Point = std::array<float, 3>;
+  std::map<std::pair<Point, Point>, int> directed;
+  std::set<Point> points;
+  for (std::uint32_t t = mesh.firstTriangle; t < mesh.firstTriangle + mesh.triangleCount; ++t) {
+    std::array<Point, 3> p;
+    for (std::size_t c = 0; c < 3; ++c) {
+      const glm::vec3& at = scene->vertices[scene->indices[3 * std::size_t{t} + c]].position;
+      p[c] = {at.x, at.y, at.z};
+      points.insert(p[c]);
+    }
+    for (std::size_t c = 0; c < 3; ++c) ++directed[{p[c], p[(c + 1) % 3]}];
+  }
+  for (const auto& [edge, count] : directed) {
+    ASSERT_EQ(count, 1);
+    ASSERT_EQ(directed.count({edge.second, edge.first}), 1u);
+  }
+  const auto euler = static_cast<int>(points.size()) - static_cast<int>(directed.size() / 2) +
+                     static_cast<int>(mesh.triangleCount);
+  constexpr int kHoles = 24 * 8 + 16 * 5;
+  // A sheet has two sides, each a torus; every hole is a tube between them.
+  EXPECT_EQ(euler, -2 * kHoles);
+  EXPECT_EQ(mesh.triangleCount, kHoles * 96u);
 }
 
 TEST(Builtin, CityIsInstanced) {
@@ -192,6 +225,7 @@ TEST(Builtin, IsTheSameOnEveryMachine) {
   EXPECT_EQ(hashOf(*makeBuiltin("trees")), 5303061929892748117u);
   EXPECT_EQ(hashOf(*makeBuiltin("village")), 16964394244318166693u);
   EXPECT_EQ(hashOf(*makeBuiltin("city")), 11431884775052123394u);
+  EXPECT_EQ(hashOf(*makeBuiltin("knot")), 5501866744265861404u);
   EXPECT_EQ(hashOf(*makeBuiltin("grid")), 13861217816283974019u);
 }
 
@@ -205,7 +239,7 @@ TEST(Builtin, ParametersAreObeyedAndChecked) {
     EXPECT_EQ(scene.error().code, code);
     EXPECT_NE(scene.error().message.find(words), std::string::npos) << scene.error().message;
   };
-  expectError("sponza", ErrorCode::notFound, "there are: atrium, trees, village, city, grid");
+  expectError("sponza", ErrorCode::notFound, "there are: atrium, trees, village, city, knot, grid");
   expectError("", ErrorCode::notFound, "atrium");
   expectError("trees?count=0", ErrorCode::invalidArgument, "must be an integer, 1 to 20000");
   expectError("trees?count=", ErrorCode::invalidArgument, "1 to 20000");

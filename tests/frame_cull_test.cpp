@@ -35,15 +35,15 @@ class FrameCull : public RendererTest {
     SceneBuffers buffers(device, drawn);
     const glm::dvec3 origin = frameOrigin(*scene, view);
     buffers.moveTo(device, origin);
-    const Frame frame({.device = device,
-                       .pipelines = pipelines,
-                       .scene = buffers,
-                       .target = target,
-                       .reference = nullptr,
-                       .light = light,
-                       .origin = origin,
-                       .constants = frameConstants(*scene, view, light, target.size(), origin)},
-                      method(text));
+    Frame frame({.device = device,
+                 .pipelines = pipelines,
+                 .scene = buffers,
+                 .target = target,
+                 .reference = nullptr,
+                 .light = light,
+                 .origin = origin,
+                 .constants = frameConstants(*scene, view, light, target.size(), origin)},
+                method(text));
     const auto passes = frame.passes();
     const auto timing = runFrame(device, passes, {});
     if (!timing) throw std::runtime_error(timing.error().message);

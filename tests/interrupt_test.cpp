@@ -114,7 +114,7 @@ TEST_F(Interrupted, EveryMethodsFrameStopsAfterAnyOfItsPassesAndRunsAgainWhole) 
                        .constants = frameConstants(*scene, eye, light, size, origin)};
   for (const MethodRow& row : methodTable()) {
     SCOPED_TRACE(row.name);
-    const Frame frame(view, method(row.name));
+    Frame frame(view, method(row.name));
     const std::size_t count = frame.passes().size();
     ASSERT_TRUE(runFrame(device(), frame.passes(), {}));
     const auto whole = downloaded(device(), target.visibility, 4);

@@ -66,7 +66,7 @@ TEST(MethodTable, EveryRowIsChosenByItsNameWithItsDefaults) {
     }
     for (const Parameter& p : parametersOf(row))
       EXPECT_TRUE(method->parameters.contains(std::string(p.name)) || readsMoments(p.name) ||
-                  p.name == "kernel" || p.name.starts_with("bias_"))
+                  p.name == "kernel" || p.name == "raster" || p.name.starts_with("bias_"))
           << p.name;
   }
 }

@@ -219,8 +219,11 @@ void Device::open(VkPhysicalDevice physical) {
     throw GpuError(VK_ERROR_FEATURE_NOT_PRESENT, "finding a graphics queue with timestamps");
   const auto familyIndex = static_cast<std::uint32_t>(family - families.begin());
 
-  Features features;
+  Features offered, features;
+  vkGetPhysicalDeviceFeatures2(physical, &offered.all);
   for (const auto& item : features.needed()) *item.flag = VK_TRUE;
+  hasInt64Atomics_ = offered.all.features.shaderInt64 && offered.v12.shaderBufferInt64Atomics;
+  features.all.features.shaderInt64 = features.v12.shaderBufferInt64Atomics = hasInt64Atomics_;
   const float priority = 1;
   const VkDeviceQueueCreateInfo queue{.sType = VK_STRUCTURE_TYPE_DEVICE_QUEUE_CREATE_INFO,
                                       .queueFamilyIndex = familyIndex,

@@ -34,6 +34,8 @@ class Device {
   const VkPhysicalDeviceLimits& limits() const { return limits_; }
   // The driver runs on the host's processor: passes are long, and its memory is the host's.
   bool isCpu() const { return isCpu_; }
+  // 64-bit atomics on storage buffers, and 64-bit integers to do them with.
+  bool hasInt64Atomics() const { return hasInt64Atomics_; }
   std::uint64_t validationMessages() const { return messages_->load(); }
 
   // Memory for these requirements. Throws GpuError, VK_ERROR_OUT_OF_DEVICE_MEMORY among others.
@@ -56,6 +58,7 @@ class Device {
   VkPhysicalDeviceLimits limits_{};
   DeviceInfo info_;
   bool isCpu_ = false;
+  bool hasInt64Atomics_ = false;
   std::unique_ptr<std::atomic<std::uint64_t>> messages_ = std::make_unique<std::atomic<std::uint64_t>>(0);
   CommandPool commands_;
   Fence fence_;

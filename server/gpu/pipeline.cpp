@@ -192,9 +192,14 @@ Pipeline makeGraphicsPipeline(const Device& device, const BindingLayout& layout,
                                                   VK_STRUCTURE_TYPE_PIPELINE_DEPTH_STENCIL_STATE_CREATE_INFO};
   depth.depthTestEnable = depth.depthWriteEnable = want.depth;
   depth.depthCompareOp = VK_COMPARE_OP_GREATER;
-  VkPipelineColorBlendAttachmentState opaque{};
-  opaque.colorWriteMask = 0xf;
-  const std::vector<VkPipelineColorBlendAttachmentState> attachments(want.colourFormats.size(), opaque);
+  VkPipelineColorBlendAttachmentState how{};
+  how.colorWriteMask = 0xf;
+  if (want.adds) {
+    how.blendEnable = VK_TRUE;
+    how.srcColorBlendFactor = how.dstColorBlendFactor = VK_BLEND_FACTOR_ONE;
+    how.srcAlphaBlendFactor = how.dstAlphaBlendFactor = VK_BLEND_FACTOR_ONE;
+  }
+  const std::vector<VkPipelineColorBlendAttachmentState> attachments(want.colourFormats.size(), how);
   VkPipelineColorBlendStateCreateInfo blend{.sType =
                                                 VK_STRUCTURE_TYPE_PIPELINE_COLOR_BLEND_STATE_CREATE_INFO};
   blend.attachmentCount = static_cast<std::uint32_t>(attachments.size());

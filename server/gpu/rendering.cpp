@@ -68,6 +68,20 @@ void renderIntoLayer(VkCommandBuffer command, const GpuImage& array, std::uint32
   transition(command, array, kColour, kRead);
 }
 
+void renderOnto(VkCommandBuffer command, const GpuImage& image, const std::function<void()>& draw) {
+  transition(command, image, kRead, kColour);
+  VkRenderingAttachmentInfo colour = attachment(image.view(), kColour);
+  colour.loadOp = VK_ATTACHMENT_LOAD_OP_LOAD;
+  render(command,
+         {.sType = VK_STRUCTURE_TYPE_RENDERING_INFO,
+          .renderArea = {{0, 0}, image.extent()},
+          .layerCount = 1,
+          .colorAttachmentCount = 1,
+          .pColorAttachments = &colour},
+         draw);
+  transition(command, image, kColour, kRead);
+}
+
 void renderNowhere(VkCommandBuffer command, VkExtent2D extent, const std::function<void()>& draw) {
   render(command,
          {.sType = VK_STRUCTURE_TYPE_RENDERING_INFO, .renderArea = {{0, 0}, extent}, .layerCount = 1}, draw);

@@ -16,6 +16,9 @@ void renderInto(VkCommandBuffer, const std::vector<const GpuImage*>& colours, co
 void renderIntoLayer(VkCommandBuffer, const GpuImage& array, std::uint32_t layer,
                      const std::function<void()>& draw);
 
+// The same onto what an image holds already.
+void renderOnto(VkCommandBuffer, const GpuImage&, const std::function<void()>& draw);
+
 // Draws without attachments: what fragment shaders write to buffers is all that stays. The area begins at 0,
 // 0.
 void renderNowhere(VkCommandBuffer, VkExtent2D, const std::function<void()>& draw);

@@ -1,6 +1,7 @@
 // Buffers and images that own their memory.
 #pragma once
 
+#include <cstring>
 #include <span>
 #include <vector>
 
@@ -109,5 +110,13 @@ void fillLevels(VkCommandBuffer, const GpuImage&);
 // Contents, on the host. An image must be in SHADER_READ_ONLY_OPTIMAL layout, and stays in it.
 std::vector<std::byte> downloaded(const Device&, const Buffer&);
 std::vector<std::byte> downloaded(const Device&, const GpuImage&, VkDeviceSize bytesPerTexel);
+
+// Such contents as values.
+template <class T>
+std::vector<T> valuesOf(const std::vector<std::byte>& bytes) {
+  std::vector<T> values(bytes.size() / sizeof(T));
+  std::memcpy(values.data(), bytes.data(), values.size() * sizeof(T));
+  return values;
+}
 
 }  // namespace sundial

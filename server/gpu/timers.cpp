@@ -27,16 +27,12 @@ QueryPool makePool(const Device& device, VkQueryType type, std::uint32_t count,
 PassTimers::PassTimers(const Device& device, std::uint32_t passes)
     : device_(device),
       millisecondsPerTick_(device.limits().timestampPeriod * 1e-6),
-      passes_(passes),
       timestamps_(makePool(device, VK_QUERY_TYPE_TIMESTAMP, 2 * passes, 0)),
       statistics_(makePool(device, VK_QUERY_TYPE_PIPELINE_STATISTICS, passes, kStatistics)) {}
 
-void PassTimers::reset(VkCommandBuffer command) const {
-  vkCmdResetQueryPool(command, timestamps_, 0, 2 * passes_);
-  vkCmdResetQueryPool(command, statistics_, 0, passes_);
-}
-
 void PassTimers::begin(VkCommandBuffer command, std::uint32_t pass) const {
+  vkCmdResetQueryPool(command, timestamps_, 2 * pass, 2);
+  vkCmdResetQueryPool(command, statistics_, pass, 1);
   vkCmdWriteTimestamp2(command, VK_PIPELINE_STAGE_2_ALL_COMMANDS_BIT, timestamps_, 2 * pass);
   vkCmdBeginQuery(command, statistics_, pass, 0);
 }

@@ -19,8 +19,7 @@ class PassTimers {
  public:
   PassTimers(const Device&, std::uint32_t passes);
 
-  // Before the first begin() of a frame, in that frame's first command buffer.
-  void reset(VkCommandBuffer) const;
+  // A pass may be begun and ended again: the last time counts.
   void begin(VkCommandBuffer, std::uint32_t pass) const;
   void end(VkCommandBuffer, std::uint32_t pass) const;
 
@@ -31,7 +30,6 @@ class PassTimers {
  private:
   VkDevice device_;
   double millisecondsPerTick_;
-  std::uint32_t passes_;
   QueryPool timestamps_;
   QueryPool statistics_;
 };

@@ -7,7 +7,8 @@
 namespace sundial {
 
 DepthStore::DepthStore(const Device& device, const Method& method, const shared::FrameConstants& constants)
-    : maps_(mapsOf(method)),
+    : device_(device),
+      maps_(mapsOf(method)),
       texels_(texelsOf(mapSizesOf(method))),
       image_(device, {constants.storeSize.x, constants.storeSize.y}, VK_FORMAT_D32_SFLOAT,
              VK_IMAGE_USAGE_DEPTH_STENCIL_ATTACHMENT_BIT | VK_IMAGE_USAGE_SAMPLED_BIT),
@@ -20,6 +21,10 @@ DepthStore::DepthStore(const Device& device, const Method& method, const shared:
 
 void DepthStore::record(VkCommandBuffer command, const DrawView& draw) const {
   renderInto(command, {}, &image_, [&] { drawMaps(command, maps_, draw); });
+}
+
+std::vector<float> DepthStore::depths() const {
+  return valuesOf<float>(downloaded(device_, image_, sizeof(float)));
 }
 
 void DepthStore::bindTo(BindingSet& bindings) const {

@@ -11,10 +11,12 @@ class DepthStore : public Store {
 
   void record(VkCommandBuffer, const DrawView& draw) const override;
   void bindTo(BindingSet&) const override;
+  std::vector<float> depths() const override;
   std::uint64_t texels() const override { return texels_; }
   std::uint64_t bytes() const override { return texels() * sizeof(float); }
 
  private:
+  const Device& device_;
   std::vector<VkRect2D> maps_;
   std::uint64_t texels_;
   GpuImage image_;

@@ -5,6 +5,7 @@
 #include "gpu/rendering.h"
 #include "shadow/host_cull.h"
 #include "shadow/plan_settings.h"
+#include "shadow/raster_choice.h"
 #include "shared/bindings.h"
 
 namespace sundial {
@@ -43,9 +44,9 @@ VkDeviceSize pixels(const FrameView& view) {
 
 Frame::Frame(const FrameView& view, const Method& method)
     : view_(view),
-      method_(method),
+      method_(withRaster(method, view.device, view.scene.scene().instancedTriangles())),
       shadowViews_(shadowViewsOf(method)),
-      pipelines_(method.stages ? std::optional(view.pipelines.of(method)) : std::nullopt),
+      pipelines_(method.stages ? std::optional(view.pipelines.of(method_)) : std::nullopt),
       constants_(view.device, sizeof(shared::FrameConstants), VK_BUFFER_USAGE_UNIFORM_BUFFER_BIT | kCopied,
                  MemoryUse::upload),
       analysis_(view.device, sizeof(shared::Analysis), kStorage),
@@ -60,10 +61,10 @@ Frame::Frame(const FrameView& view, const Method& method)
       counts_(view.device, (1 + shadowViews_) * shared::kBuckets * sizeof(std::uint32_t), kIndirect),
       nearest_(makeSampler(view.device, VK_FILTER_NEAREST)),
       bindings_(view.device, view.pipelines.layout) {
-  const shared::FrameConstants constants = constantsOf(view, method);
+  const shared::FrameConstants constants = constantsOf(view, method_);
   *constants_.mapped<shared::FrameConstants>() = constants;
   if (method.stages) {
-    store_ = makeStore(view.device, view.pipelines, method, constants);
+    store_ = makeStore(view.device, view.pipelines, method_, constants);
     if (method.settings.plan == PlanTiming::readback) {
       hostPlan_.emplace(view.device, sizeof(shared::Plan), 0, MemoryUse::readback);
       hostCommands_.emplace(view.device,
@@ -72,6 +73,8 @@ Frame::Frame(const FrameView& view, const Method& method)
       hostCounts_.emplace(view.device, shadowViews_ * shared::kBuckets * sizeof(std::uint32_t), kIndirect,
                           MemoryUse::upload);
     }
+  } else if (method.row->technique == Technique::shadowVolumes) {
+    volumes_.emplace(view.device, view.pipelines, *view.edges, view.constants.imageSize);
   } else {
     hostPositions_.emplace(view.device, pixels(view) * sizeof(glm::uvec4), 0, MemoryUse::readback);
     hostNormals_.emplace(view.device, pixels(view) * sizeof(glm::uvec4), 0, MemoryUse::readback);
@@ -89,6 +92,8 @@ void Frame::bindTo(BindingSet& bindings, const ViewTarget& samples) const {
   bindings.set(shared::kBindCommands, commands_);
   bindings.set(shared::kBindVisible, visible_);
   bindings.set(shared::kBindCounts, counts_);
+  bindings.set(shared::kBindSilhouette, analysis_);
+  if (volumes_) return volumes_->bindTo(bindings);
   if (store_) return store_->bindTo(bindings);
   bindNoStore(bindings, samples.visibility, nearest_, plan_);
 }
@@ -100,7 +105,7 @@ void Frame::look(const FrameView& view) {
   *constants_.mapped<shared::FrameConstants>() = constantsOf(view, method_);
 }
 
-std::vector<Pass> Frame::passes() const {
+std::vector<Pass> Frame::passes() {
   const auto on = [this](void (Frame::*pass)(VkCommandBuffer) const) {
     return [this, pass](VkCommandBuffer command) { (this->*pass)(command); };
   };
@@ -112,12 +117,20 @@ std::vector<Pass> Frame::passes() const {
             {.name = "trace", .host = [this] { trace(); }, .rays = pixels(view_)},
             {.name = "resolve", .record = on(&Frame::takeVisibility)},
             shade};
+  if (volumes_)
+    return {gbuffer,
+            {.name = "volumes", .record = on(&Frame::countVolumes)},
+            {.name = "resolve", .record = on(&Frame::resolveVolumes)},
+            shade};
 
   const Pass analyze{.name = "analyze", .record = on(&Frame::analyze)};
   const Pass plan{.name = "plan", .record = on(&Frame::plan)};
   const Pass cull{.name = "cull",
                   .record = [this](VkCommandBuffer command) { this->cull(command, 1, shadowViews_); }};
-  const Pass store{.name = "store", .record = on(&Frame::store)};
+  const Pass store{.name = "store",
+                   .record = on(&Frame::store),
+                   .again = [this] { return storeAgain(); },
+                   .counted = [this] { return storeWork(); }};
   const Pass filter{.name = "filter", .record = on(&Frame::filter)};
   const Pass resolve{.name = "resolve", .record = on(&Frame::resolve)};
   std::vector<Pass> passes = [&]() -> std::vector<Pass> {
@@ -150,8 +163,7 @@ void Frame::gbuffer(VkCommandBuffer command) const {
   cull(command, shared::kCameraSlot, 1);
   bindings_.bind(command);
   renderInto(command, {&view_.target.ids}, &view_.target.depth, [&] {
-    drawSlot(command, {commands_, counts_, shared::kCameraSlot}, view_.pipelines.gbuffer,
-             view_.pipelines.gbufferMasked, true);
+    drawSlot(command, shared::kCameraSlot, view_.pipelines.gbuffer, view_.pipelines.gbufferMasked, true);
   });
   renderInto(command, {&view_.target.positions, &view_.target.normals}, nullptr, [&] {
     vkCmdBindPipeline(command, VK_PIPELINE_BIND_POINT_GRAPHICS, view_.pipelines.samples);
@@ -234,13 +246,34 @@ void Frame::cull(VkCommandBuffer command, std::uint32_t firstSlot, std::uint32_t
 
 // The shadow maps.
 void Frame::store(VkCommandBuffer command) const {
+  if (hostCommands_) takeHostDraws(command);
   bindings_.bind(command);
   store_->record(command, [&](std::uint32_t view) {
     push(command, view);
-    const Draws draws =
-        hostCommands_ ? Draws{*hostCommands_, *hostCounts_, view} : Draws{commands_, counts_, 1 + view};
-    drawSlot(command, draws, pipelines_->store, pipelines_->storeMasked, false);
+    drawSlot(command, 1 + view, pipelines_->store, pipelines_->storeMasked, false);
   });
+}
+
+bool Frame::storeAgain() {
+  if (!store_->again()) return false;
+  bindTo(bindings_, view_.target);
+  return true;
+}
+
+std::vector<Work> Frame::storeWork() const {
+  std::vector<Work> work = store_->work();
+  work.push_back({"by_compute", method_.settings.raster == Raster::compute ? 1.0 : 0.0});
+  return work;
+}
+
+// What the host left, in the place of what culling on the device would have.
+void Frame::takeHostDraws(VkCommandBuffer command) const {
+  const VkBufferCopy commands{0, VkDeviceSize{view_.scene.drawCount()} * sizeof(shared::DrawCommand),
+                              hostCommands_->size()};
+  const VkBufferCopy counts{0, shared::kBuckets * sizeof(std::uint32_t), hostCounts_->size()};
+  if (view_.scene.drawCount() > 0) vkCmdCopyBuffer(command, *hostCommands_, commands_, 1, &commands);
+  vkCmdCopyBuffer(command, *hostCounts_, counts_, 1, &counts);
+  barrier(command);
 }
 
 // What the maps' lookup needs beyond them.
@@ -295,6 +328,23 @@ void Frame::takeVisibility(VkCommandBuffer command) const {
   copyToImage(command, *hostVisibility_, view_.target.visibility);
 }
 
+// How many volumes each view sample is in. What the camera sees of the caps is what it sees of the scene.
+void Frame::countVolumes(VkCommandBuffer command) const {
+  bindings_.bind(command);
+  volumes_->count(command, view_.pipelines.layout.pipeline(), [&](VkPipeline caps) {
+    drawSlot(command, {commands_, counts_, shared::kCameraSlot}, caps, caps, false);
+  });
+}
+
+void Frame::resolveVolumes(VkCommandBuffer command) const {
+  bindings_.bind(command);
+  renderInto(command, {&view_.target.visibility}, nullptr, [&] {
+    vkCmdBindPipeline(command, VK_PIPELINE_BIND_POINT_GRAPHICS,
+                      view_.pipelines.fullscreen("resolve_volumes.frag", VK_FORMAT_R32_SFLOAT, {}));
+    vkCmdDraw(command, 3, 1, 0, 0);
+  });
+}
+
 void Frame::recordAnswers(VkCommandBuffer command) const {
   bindings_.bind(command);
   renderInto(command, {&view_.target.answers}, nullptr, [&] {
@@ -303,7 +353,7 @@ void Frame::recordAnswers(VkCommandBuffer command) const {
   });
 }
 
-void Frame::drawSlot(VkCommandBuffer command, const Draws& draws, VkPipeline opaque, VkPipeline masked,
+void Frame::drawSlot(VkCommandBuffer command, std::uint32_t slot, VkPipeline opaque, VkPipeline masked,
                      bool cullFaces) const {
   constexpr VkCullModeFlags kNone = VK_CULL_MODE_NONE;
   constexpr VkCullModeFlags kCullModes[] = {kNone, VK_CULL_MODE_BACK_BIT, VK_CULL_MODE_FRONT_BIT};
@@ -316,9 +366,9 @@ void Frame::drawSlot(VkCommandBuffer command, const Draws& draws, VkPipeline opa
     vkCmdSetCullMode(command, cullFaces ? kCullModes[bucket % shared::kFirstMaskedBucket] : kNone);
     view_.scene.bindVertices(command, isMasked);
     const VkDeviceSize first =
-        VkDeviceSize{draws.slot} * view_.scene.drawCount() + firstChunk * shared::kDrawsPerChunk;
-    vkCmdDrawIndexedIndirectCount(command, draws.commands, first * sizeof(shared::DrawCommand), draws.counts,
-                                  (draws.slot * shared::kBuckets + bucket) * sizeof(std::uint32_t),
+        VkDeviceSize{slot} * view_.scene.drawCount() + firstChunk * shared::kDrawsPerChunk;
+    vkCmdDrawIndexedIndirectCount(command, commands_, first * sizeof(shared::DrawCommand), counts_,
+                                  (slot * shared::kBuckets + bucket) * sizeof(std::uint32_t),
                                   chunks * shared::kDrawsPerChunk, sizeof(shared::DrawCommand));
   }
 }
@@ -336,12 +386,16 @@ shared::Plan Frame::downloadPlan() const {
   return plan;
 }
 
+std::vector<float> Frame::downloadDepths() const { return store_ ? store_->depths() : std::vector<float>(); }
+
 std::uint64_t Frame::storeTexels() const { return store_ ? store_->texels() : 0; }
 
 std::uint64_t Frame::storeBytes() const { return store_ ? store_->bytes() : 0; }
 
 std::uint64_t Frame::totalBytes() const {
   std::uint64_t bytes = storeBytes();
+  if (volumes_)
+    bytes += volumes_->bytes() + view_.edges->bytes() + commands_.size() + visible_.size() + counts_.size();
   if (method_.stages)
     bytes += analysis_.size() + plan_.size() + commands_.size() + visible_.size() + counts_.size();
   for (const auto* buffer :

@@ -8,9 +8,11 @@
 #include "shadow/frame_pipelines.h"
 #include "shadow/method.h"
 #include "shadow/scene_buffers.h"
+#include "shadow/shadow_volumes.h"
 #include "shadow/store.h"
 #include "shadow/view_target.h"
 #include "shared/plan.h"
+#include "work.h"
 
 namespace sundial {
 
@@ -20,6 +22,10 @@ struct Pass {
   std::function<void(VkCommandBuffer)> record;  // device work, or
   std::function<void()> host;                   // host work, done when all earlier passes are
   std::uint64_t rays = 0;                       // traced by a host pass
+  // When device work is done: whether it must be recorded again, and what it counted beside the device's
+  // statistics.
+  std::function<bool()> again = {};
+  std::function<std::vector<Work>()> counted = {};
 };
 
 // What all methods that render one view share.
@@ -29,6 +35,7 @@ struct FrameView {
   const SceneBuffers& scene;
   const ViewTarget& target;
   const Reference* reference;  // for Technique::rayTraced
+  const EdgeBuffers* edges;    // for Technique::shadowVolumes
   Light light;
   glm::dvec3 origin;                 // world position of GPU coordinates' zero
   shared::FrameConstants constants;  // frameConstants()
@@ -42,7 +49,7 @@ class Frame {
 
   // In the order of execution. With plan=delayed the first frame asks its own samples, before it plans; all
   // frames ask theirs at the end, for the frame after.
-  std::vector<Pass> passes() const;
+  std::vector<Pass> passes();
   // The next frame, from elsewhere or in other light: a view of the same scene, size and target.
   void look(const FrameView&);
   // The lookup at other samples than the view's, for methods with a map, after the passes before `resolve`:
@@ -52,37 +59,37 @@ class Frame {
   // What answered each sample, into the target's `answers`; for methods with a map, after the passes.
   void recordAnswers(VkCommandBuffer) const;
 
-  shared::Plan downloadPlan() const;  // viewCount 0 for methods without a map
+  shared::Plan downloadPlan() const;          // viewCount 0 for methods without a map
+  std::vector<float> downloadDepths() const;  // Store::depths()
   std::uint64_t storeTexels() const;
   std::uint64_t storeBytes() const;
   std::uint64_t totalBytes() const;  // with the plan, the lists of culling and what analysis needs
 
  private:
-  // A range of indirect draws for each of some views.
-  struct Draws {
-    const Buffer& commands;
-    const Buffer& counts;
-    std::uint32_t slot;  // whose turn it is in both
-  };
-
   void gbuffer(VkCommandBuffer) const;
   void analyze(VkCommandBuffer) const;
   void plan(VkCommandBuffer) const;
   void cull(VkCommandBuffer, std::uint32_t firstSlot, std::uint32_t slots) const;
   void readPlan(VkCommandBuffer) const;
+  void takeHostDraws(VkCommandBuffer) const;
   void cullByHost() const;
   void store(VkCommandBuffer) const;
+  bool storeAgain();
+  std::vector<Work> storeWork() const;
   void filter(VkCommandBuffer) const;
   void resolve(VkCommandBuffer) const;
   void shade(VkCommandBuffer) const;
   void readSamples(VkCommandBuffer) const;
   void trace() const;
   void takeVisibility(VkCommandBuffer) const;
+  void countVolumes(VkCommandBuffer) const;
+  void resolveVolumes(VkCommandBuffer) const;
 
   void bindTo(BindingSet&, const ViewTarget& samples) const;
   bool asksSamples() const;
   void dispatch(VkCommandBuffer, VkPipeline, std::uint32_t groups) const;
-  void drawSlot(VkCommandBuffer, const Draws&, VkPipeline opaque, VkPipeline masked, bool cullFaces) const;
+  void drawSlot(VkCommandBuffer, std::uint32_t slot, VkPipeline opaque, VkPipeline masked,
+                bool cullFaces) const;
   void push(VkCommandBuffer, std::uint32_t) const;
 
   FrameView view_;
@@ -96,6 +103,7 @@ class Frame {
   // plan=readback alone: the plan on its way to the host, and what the host leaves of the draws.
   std::optional<Buffer> hostPlan_, hostCommands_, hostCounts_;
   mutable std::optional<glm::dvec3> analysedAt_;  // the origin of the last analysis that was recorded
+  std::optional<ShadowVolumes> volumes_;
   // Ray tracing alone: view samples on their way to the host, visibility on its way back.
   std::optional<Buffer> hostPositions_, hostNormals_, hostVisibility_;
 };

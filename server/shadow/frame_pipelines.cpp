@@ -1,6 +1,7 @@
 #include "shadow/frame_pipelines.h"
 
 #include "shadow/plan_settings.h"
+#include "shadow/raster_choice.h"
 #include "shadow/scene_buffers.h"
 #include "shared/choices.h"
 
@@ -23,9 +24,9 @@ GraphicsPipelineInfo gbufferOf(std::string_view vertex, std::string_view fragmen
   return info;
 }
 
-GraphicsPipelineInfo storeOf(std::string_view vertex, std::string_view fragment, bool masked, bool depth) {
+GraphicsPipelineInfo storeOf(std::string_view vertex, std::string_view fragment, bool masked) {
   GraphicsPipelineInfo info = geometry(vertex, fragment, masked);
-  info.depth = depth;
+  info.depth = true;
   info.depthClamp = true;
   return info;
 }
@@ -90,10 +91,17 @@ std::string_view lookupShader(Lookup lookup) {
       return "lookup_hard.frag";
     case Lookup::pcf:
       return "lookup_pcf.frag";
+    case Lookup::exact3x3:
+      return "lookup_exact_3x3.frag";
     case Lookup::evsm:
       return "lookup_evsm.frag";
   }
   return {};
+}
+
+std::uint32_t storeOf(const Method& method) {
+  if (!isLinear(method)) return shared::kStoreImage;
+  return method.stages->storage == Storage::depthId ? shared::kStoreIds : shared::kStoreDepths;
 }
 
 Specialization lookupConstants(const Method& method) {
@@ -104,7 +112,7 @@ Specialization lookupConstants(const Method& method) {
     if (method.settings.choose == Choose::tightest) return shared::kChooseTightest;
     return stages.focus == Focus::snapped ? shared::kChooseRadius : shared::kChooseDepth;
   }();
-  return {stages.storage == Storage::linear, choice, shadowViewsOf(method), method.settings.blend > 0};
+  return {storeOf(method), choice, shadowViewsOf(method), method.settings.blend > 0};
 }
 
 }  // namespace
@@ -124,13 +132,9 @@ FramePipelines::FramePipelines(const Device& device)
       shadePlain(makeGraphicsPipeline(device, layout,
                                       fullscreenOf("shade.frag", {VK_FORMAT_R8G8B8A8_UNORM}, {VK_TRUE}))),
       device_(device),
-      storeDepth_(makeGraphicsPipeline(device, layout, storeOf("store_depth.vert", "", false, true))),
+      storeDepth_(makeGraphicsPipeline(device, layout, storeOf("store_depth.vert", "", false))),
       storeDepthMasked_(makeGraphicsPipeline(
-          device, layout, storeOf("store_depth_masked.vert", "store_depth_masked.frag", true, true))),
-      storeLinear_(makeGraphicsPipeline(device, layout,
-                                        storeOf("store_depth.vert", "store_linear.frag", false, false))),
-      storeLinearMasked_(makeGraphicsPipeline(
-          device, layout, storeOf("store_depth_masked.vert", "store_linear_masked.frag", true, false))) {}
+          device, layout, storeOf("store_depth_masked.vert", "store_depth_masked.frag", true))) {}
 
 MethodPipelines FramePipelines::of(const Method& method) {
   const Stages& stages = *method.stages;
@@ -153,10 +157,7 @@ MethodPipelines FramePipelines::of(const Method& method) {
     if (!method.settings.extent) made.analyzeSquare = compute("analyze_square.comp", {});
     if (stages.focus == Focus::loose) made.analyzeCasters = compute("analyze_casters.comp", {});
   }
-  if (stages.storage == Storage::linear) {
-    made.store = storeLinear_;
-    made.storeMasked = storeLinearMasked_;
-  } else if (stages.storage == Storage::moments) {
+  if (stages.storage == Storage::moments) {
     constexpr VkFormat kMoments = VK_FORMAT_R32G32B32A32_SFLOAT;
     made.store = multisampled("store_depth.vert", "", false);
     made.storeMasked = multisampled("store_depth_masked.vert", "store_depth_masked.frag", true);
@@ -167,11 +168,42 @@ MethodPipelines FramePipelines::of(const Method& method) {
   return made;
 }
 
+RasterPipelines FramePipelines::raster(const RasterChoice& choice, bool opaque, bool masked) {
+  RasterPipelines made{.begin = compute("raster_begin.comp", {})};
+  for (const bool isMasked : {false, true}) {
+    if (!(isMasked ? masked : opaque)) continue;
+    const Specialization constants{choice.coverage, isMasked};
+    const auto round = [&](std::string_view plain, std::string_view withId) {
+      return compute(choice.ids ? withId : plain, constants);
+    };
+    made.kinds[isMasked] = {.clusters = round("raster_clusters.comp", "raster_clusters_id.comp"),
+                            .listed = round("raster_listed.comp", "raster_listed_id.comp"),
+                            .areas = round("raster_areas.comp", "raster_areas_id.comp")};
+  }
+  return made;
+}
+
 VkPipeline FramePipelines::multisampled(std::string_view vertex, std::string_view fragment, bool masked) {
   const auto [found, added] = variants_.try_emplace({vertex, {}});
   if (added) {
-    GraphicsPipelineInfo info = storeOf(vertex, fragment, masked, true);
+    GraphicsPipelineInfo info = storeOf(vertex, fragment, masked);
     info.samples = VK_SAMPLE_COUNT_4_BIT;
+    found->second = makeGraphicsPipeline(device_, layout, info);
+  }
+  return found->second;
+}
+
+VkPipeline FramePipelines::volume(std::string_view vertex) {
+  const auto [found, added] = variants_.try_emplace({vertex, {}});
+  if (added) {
+    GraphicsPipelineInfo info{.vertexShader = vertex,
+                              .fragmentShader = "volume_count.frag",
+                              .colourFormats = {VK_FORMAT_R32_SFLOAT},
+                              .adds = true};
+    if (vertex == "volume_cap.vert") {
+      info.vertexBindings = SceneBuffers::vertexBindings(false);
+      info.vertexAttributes = SceneBuffers::vertexAttributes(true, false);
+    }
     found->second = makeGraphicsPipeline(device_, layout, info);
   }
   return found->second;

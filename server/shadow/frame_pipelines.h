@@ -1,11 +1,13 @@
 // The pipelines of a frame, made once for a device: one a pass and stage choice.
 #pragma once
 
+#include <array>
 #include <map>
 #include <string>
 
 #include "gpu/pipeline.h"
 #include "shadow/method.h"
+#include "shared/raster.h"
 
 namespace sundial {
 
@@ -22,12 +24,32 @@ struct MethodPipelines {
   VkPipeline moments = VK_NULL_HANDLE, blurAcross = VK_NULL_HANDLE, blurDown = VK_NULL_HANDLE;
 };
 
+// What the compute rasteriser does to a texel, in the numbers of shared/raster.h.
+struct RasterChoice {
+  bool ids = false;  // 64 bits a texel, depth and triangle, instead of 32 of depth
+  std::uint32_t coverage = 0;
+};
+
+// Its rounds, for opaque and for masked triangles.
+struct RasterPipelines {
+  struct Kind {
+    VkPipeline clusters = VK_NULL_HANDLE, listed = VK_NULL_HANDLE, areas = VK_NULL_HANDLE;
+  };
+  VkPipeline begin = VK_NULL_HANDLE;
+  std::array<Kind, shared::kRasterKinds> kinds{};
+};
+
 class FramePipelines {
  public:
   explicit FramePipelines(const Device&);
 
   // Made when they are first asked for. A method with a map; one without has no pipelines of its own.
   MethodPipelines of(const Method&);
+  RasterPipelines raster(const RasterChoice&, bool opaque, bool masked);
+  // The same for passes beside the stages.
+  VkPipeline compute(std::string_view shader, const Specialization&);
+  VkPipeline fullscreen(std::string_view shader, VkFormat, const Specialization&);
+  VkPipeline volume(std::string_view vertex);  // faces of shadow volumes, counted
 
   BindingLayout layout;
   Pipeline gbuffer, gbufferMasked, samples;
@@ -37,11 +59,9 @@ class FramePipelines {
  private:
   // Into four samples a texel.
   VkPipeline multisampled(std::string_view vertex, std::string_view fragment, bool masked);
-  VkPipeline compute(std::string_view shader, const Specialization&);
-  VkPipeline fullscreen(std::string_view shader, VkFormat, const Specialization&);
 
   const Device& device_;
-  Pipeline storeDepth_, storeDepthMasked_, storeLinear_, storeLinearMasked_;
+  Pipeline storeDepth_, storeDepthMasked_;
   std::map<std::pair<std::string_view, Specialization>, Pipeline> variants_;  // by shader
 };
 

@@ -1,5 +1,6 @@
 #include "shadow/frame_runner.h"
 
+#include <algorithm>
 #include <chrono>
 
 namespace sundial {
@@ -19,14 +20,24 @@ std::vector<Work> workOf(const PassCounts& counts) {
           {"invocations", static_cast<double>(counts.invocations)}};
 }
 
+// With `more`, which counts where the statistics don't.
+std::vector<Work> merged(std::vector<Work> work, const std::vector<Work>& more) {
+  for (const Work& item : more) {
+    const auto known = std::ranges::find(work, item.name, &Work::name);
+    if (known == work.end())
+      work.push_back(item);
+    else
+      known->count += item.count;
+  }
+  return work;
+}
+
 }  // namespace
 
 Result<FrameTiming> runFrame(const Device& device, const std::vector<Pass>& passes,
                              const Interrupt& interrupt) {
   const auto count = static_cast<std::uint32_t>(passes.size());
   const PassTimers timers(device, count);
-  device.submit([&](VkCommandBuffer command) { timers.reset(command); });
-
   FrameTiming timing{.passMs = std::vector<double>(count), .work = std::vector<std::vector<Work>>(count)};
   const Clock::time_point start = Clock::now();
   for (std::uint32_t i = 0; i < count;) {
@@ -48,7 +59,10 @@ Result<FrameTiming> runFrame(const Device& device, const std::vector<Pass>& pass
         timers.end(command, pass);
       }
     });
-    i = end;
+    // A pass that must be recorded again, and what came after it.
+    std::uint32_t next = i;
+    while (next < end && !(passes[next].again && passes[next].again())) ++next;
+    i = next;
   }
   timing.frameMs = millisecondsSince(start);
 
@@ -56,6 +70,7 @@ Result<FrameTiming> runFrame(const Device& device, const std::vector<Pass>& pass
     if (!passes[i].record) continue;
     timing.passMs[i] = timers.milliseconds(i);
     timing.work[i] = workOf(timers.counts(i));
+    if (passes[i].counted) timing.work[i] = merged(std::move(timing.work[i]), passes[i].counted());
   }
   return timing;
 }

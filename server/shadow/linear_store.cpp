@@ -1,18 +1,26 @@
 #include "shadow/linear_store.h"
 
-#include <algorithm>
-
-#include "gpu/rendering.h"
 #include "shadow/plan_settings.h"
+#include "shadow/raster_choice.h"
 #include "shared/bindings.h"
 
 namespace sundial {
 
-LinearStore::LinearStore(const Device& device, const Method& method)
-    : maps_(mapsOf(method)),
+namespace {
+
+RasterChoice rasterOf(const Stages& stages) {
+  return {.ids = stages.storage == Storage::depthId, .coverage = shared::kCoverCentre};
+}
+
+}  // namespace
+
+LinearStore::LinearStore(const Device& device, FramePipelines& pipelines, const Method& method,
+                         const shared::FrameConstants& constants)
+    : device_(device),
       texels_(texelsOf(mapSizesOf(method))),
-      depths_(device, texels_ * sizeof(float),
-              VK_BUFFER_USAGE_STORAGE_BUFFER_BIT | VK_BUFFER_USAGE_TRANSFER_DST_BIT),
+      bytesPerTexel_(linearBytesPerTexel(*method.stages)),
+      maps_(device, texels_ * bytesPerTexel_, VK_BUFFER_USAGE_STORAGE_BUFFER_BIT),
+      rasteriser_(device, pipelines, rasterOf(*method.stages), shadowViewsOf(method), constants),
       unread_(device, {1, 1}, VK_FORMAT_D32_SFLOAT, VK_IMAGE_USAGE_SAMPLED_BIT),
       nearest_(makeSampler(device, VK_FILTER_NEAREST)) {
   device.submit([&](VkCommandBuffer command) {
@@ -20,16 +28,32 @@ LinearStore::LinearStore(const Device& device, const Method& method)
   });
 }
 
-void LinearStore::record(VkCommandBuffer command, const DrawView& draw) const {
-  vkCmdFillBuffer(command, depths_, 0, VK_WHOLE_SIZE, 0);
-  barrier(command);
-  VkExtent2D largest{1, 1};
-  for (const VkRect2D& map : maps_)
-    largest = {std::max(largest.width, map.extent.width), std::max(largest.height, map.extent.height)};
-  renderNowhere(command, largest, [&] { drawMaps(command, maps_, draw); });
-  barrier(command);
+void LinearStore::record(VkCommandBuffer command, const DrawView&) const {
+  vkCmdFillBuffer(command, maps_, 0, VK_WHOLE_SIZE, 0);
+  rasteriser_.record(command);
 }
 
-void LinearStore::bindTo(BindingSet& bindings) const { bindNoStore(bindings, unread_, nearest_, depths_); }
+bool LinearStore::again() {
+  if (!rasteriser_.overflowed()) return false;
+  rasteriser_.makeRoom();
+  return true;
+}
+
+std::vector<Work> LinearStore::work() const {
+  return {{"primitives", static_cast<double>(rasteriser_.triangles())}};
+}
+
+std::vector<float> LinearStore::depths() const {
+  const auto words = valuesOf<float>(downloaded(device_, maps_));
+  const std::size_t stride = bytesPerTexel_ / sizeof(float);
+  std::vector<float> out(texels_);
+  for (std::size_t i = 0; i < texels_; ++i) out[i] = words[stride * i + stride - 1];  // behind the triangle
+  return out;
+}
+
+void LinearStore::bindTo(BindingSet& bindings) const {
+  bindNoStore(bindings, unread_, nearest_, maps_);
+  rasteriser_.bindTo(bindings);
+}
 
 }  // namespace sundial

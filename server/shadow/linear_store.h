@@ -1,24 +1,29 @@
-// storage=linear: maps of any sizes, one behind the other in a buffer. Fragments keep the nearest depth by
-// atomics.
+// storage=linear, storage=depth-id, and raster=compute: maps of any sizes, one behind the other in a buffer,
+// drawn by the compute rasteriser.
 #pragma once
 
+#include "shadow/rasteriser.h"
 #include "shadow/store.h"
 
 namespace sundial {
 
 class LinearStore : public Store {
  public:
-  LinearStore(const Device&, const Method&);
+  LinearStore(const Device&, FramePipelines&, const Method&, const shared::FrameConstants&);
 
   void record(VkCommandBuffer, const DrawView& draw) const override;
+  bool again() override;
+  std::vector<Work> work() const override;
   void bindTo(BindingSet&) const override;
+  std::vector<float> depths() const override;
   std::uint64_t texels() const override { return texels_; }
-  std::uint64_t bytes() const override { return texels() * sizeof(float); }
+  std::uint64_t bytes() const override { return texels_ * bytesPerTexel_; }
 
  private:
-  std::vector<VkRect2D> maps_;
-  std::uint64_t texels_;
-  Buffer depths_;
+  const Device& device_;
+  std::uint64_t texels_, bytesPerTexel_;
+  Buffer maps_;
+  Rasteriser rasteriser_;
   GpuImage unread_;
   Sampler nearest_;
 };

@@ -26,7 +26,7 @@ struct Parameter {
   std::vector<std::string_view> choices = {};
 };
 
-enum class Technique { shadowMap, rayTraced };
+enum class Technique { shadowMap, rayTraced, shadowVolumes };
 
 struct MethodRow {
   std::string_view name;
@@ -43,6 +43,8 @@ enum class PlanTiming { gpu, readback, delayed };
 // Where the square of volume=inscribed lies: the camera on the circle inscribed in it, as the paper has it;
 // or turned so that the camera looks along the middle of a column of tiles.
 enum class Placement { circle, column };
+// Who draws depth maps: raster_choice.h.
+enum class Raster { automatic, pipeline, compute };
 // Which partition answers: the one made for the sample's depth, or the tightest that contains it.
 enum class Choose { depth, tightest };
 
@@ -54,6 +56,7 @@ struct Method {
   struct Settings {
     unsigned width = 2048, height = 2048;  // texels of every map
     PlanTiming plan = PlanTiming::gpu;
+    Raster raster = Raster::automatic;
     unsigned partitions = 1;     // along the camera's depth
     std::vector<double> splits;  // partition=manual: where each ends, metres; none: by a rule
     double lambda = 0.5;         // partition=practical

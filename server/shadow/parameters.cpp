@@ -78,6 +78,20 @@ const std::vector<Rule>& rules() {
                   : text == "delayed" ? PlanTiming::delayed
                                       : PlanTiming::gpu;
        }},
+      {{.name = "raster",
+        .kind = Kind::choice,
+        .unit = "",
+        .defaultValue = kAuto,
+        .description =
+            "who draws the maps: the graphics pipeline, or the compute rasteriser; auto: the faster one, "
+            "by a fixed rule",
+        .choices = {"pipeline", "compute", kAuto}},
+       [](const Stages& s) { return s.storage != Storage::moments; },
+       [](const std::string& text, Method::Settings& s) {
+         s.raster = text == "pipeline"  ? Raster::pipeline
+                    : text == "compute" ? Raster::compute
+                                        : Raster::automatic;
+       }},
       {{.name = "partitions",
         .kind = Kind::integer,
         .unit = "1",
@@ -311,6 +325,10 @@ std::optional<std::string> whyInconsistent(const Stages& stages, const Method::S
   if (stages.storage == Storage::moments && settings.exponents.size() != 2)
     return fmt::format("exponents: {} of them; give the positive and the negative one: 40:5",
                        settings.exponents.size());
+  if ((stages.storage == Storage::linear || stages.storage == Storage::depthId) &&
+      settings.raster == Raster::pipeline)
+    return "maps in one linear buffer are drawn by compute, because the pipeline draws into images: use "
+           "raster=compute";
   if (stages.partition == Partition::tiles) {
     const std::size_t tiles = settings.tileSizes.size();
     const auto side = static_cast<std::size_t>(std::lround(std::sqrt(static_cast<double>(tiles))));

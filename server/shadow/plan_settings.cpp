@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "shadow/moment_store.h"
+#include "shadow/raster_choice.h"
 
 namespace sundial {
 
@@ -141,7 +142,7 @@ void settle(shared::FrameConstants& c, const Method& method, const dvec3& origin
   if (stages.storage == Storage::moments) settleMoments(c, method);
 
   const std::uint32_t views = shadowViewsOf(method);
-  if (stages.storage == Storage::linear)
+  if (isLinear(method))
     c.storeSize = {texelsOf(mapSizesOf(method)), 1};
   else
     c.storeSize = to.mapSize * glm::uvec2(to.mapColumns, (views + to.mapColumns - 1) / to.mapColumns);

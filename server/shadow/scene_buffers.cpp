@@ -136,6 +136,10 @@ void SceneBuffers::bindTo(BindingSet& set) const {
   set.set(shared::kBindInstances, instances_);
   set.set(shared::kBindMaterials, materials_);
   set.set(shared::kBindTextures, textures_, sampler_);
+  // Unless a frame of shadow volumes brings what belongs there.
+  for (const std::uint32_t binding :
+       {shared::kBindEdges, shared::kBindEdgeSides, shared::kBindClusterEdges, shared::kBindPlanes})
+    set.set(binding, triangles_);
 }
 
 void SceneBuffers::bindVertices(VkCommandBuffer command, bool withAttributes) const {

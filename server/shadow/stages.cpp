@@ -30,8 +30,8 @@ const std::array<StageText, 7>& stageTexts() {
       stageText<&Stages::warp>("warp", {"none"}),
       stageText<&Stages::focus>("focus", {"loose", "depth", "aabb", "aligned", "snapped"}),
       stageText<&Stages::resolution>("resolution", {"fixed", "ranked", "listed"}),
-      stageText<&Stages::storage>("storage", {"depth", "linear", "moments"}),
-      stageText<&Stages::lookup>("lookup", {"hard", "pcf", "evsm"})};
+      stageText<&Stages::storage>("storage", {"depth", "linear", "depth-id", "moments"}),
+      stageText<&Stages::lookup>("lookup", {"hard", "pcf", "exact-3x3", "evsm"})};
   return texts;
 }
 
@@ -85,8 +85,10 @@ std::optional<std::string> whyImpossible(const Stages& stages) {
   if (tiles != (stages.resolution != Resolution::fixed))
     return "tiles, and nothing else, share out a list of sizes: use partition=tiles with resolution=ranked "
            "or listed";
-  if (tiles && stages.storage != Storage::linear)
-    return "tiles of different sizes don't fit an image: use storage=linear";
+  if (tiles && (stages.storage == Storage::depth || stages.storage == Storage::moments))
+    return "tiles of different sizes don't fit an image: use storage=linear or storage=depth-id";
+  if (stages.lookup == Lookup::exact3x3 && stages.storage != Storage::depthId)
+    return "lookup=exact-3x3 asks which triangle a texel holds: use it with storage=depth-id";
   if ((stages.storage == Storage::moments) != (stages.lookup == Lookup::evsm))
     return "moments of depth are read by lookup=evsm, and by nothing else: use it with storage=moments";
   if (stages.focus == Focus::depth && !tiles)

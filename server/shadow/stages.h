@@ -16,8 +16,9 @@ enum class Partition { single, manual, uniform, log, practical, adaptive, kmeans
 enum class Warp { none };                                   // how each part is re-parameterised
 enum class Focus { loose, depth, aabb, aligned, snapped };  // how tight each part's frustum is
 enum class Resolution { fixed, ranked, listed };            // how many texels each part gets
-enum class Storage { depth, linear, moments };              // what a texel holds, and where
-enum class Lookup { hard, pcf, evsm };                      // how a view sample asks
+// What a texel holds, and where; depthId: which triangle's depth it is, too.
+enum class Storage { depth, linear, depthId, moments };
+enum class Lookup { hard, pcf, exact3x3, evsm };  // how a view sample asks
 
 struct Stages {
   Volume volume;

@@ -8,17 +8,17 @@
 #include "shadow/linear_store.h"
 #include "shadow/moment_store.h"
 #include "shadow/plan_settings.h"
+#include "shadow/raster_choice.h"
 #include "shared/bindings.h"
 
 namespace sundial {
 
 std::vector<VkRect2D> mapsOf(const Method& method) {
   std::vector<VkRect2D> maps;
-  const bool linear = method.stages->storage == Storage::linear;
   const std::uint32_t columns = mapColumnsOf(method);
   for (const glm::uvec2& size : mapSizesOf(method)) {
     const auto view = static_cast<std::uint32_t>(maps.size());
-    const glm::ivec2 place(linear ? glm::uvec2(0) : size * glm::uvec2(view % columns, view / columns));
+    const glm::ivec2 place(size * glm::uvec2(view % columns, view / columns));
     maps.push_back({{place.x, place.y}, {size.x, size.y}});
   }
   return maps;
@@ -27,13 +27,17 @@ std::vector<VkRect2D> mapsOf(const Method& method) {
 std::optional<std::string> whyTooLarge(const Method& method, const Device& device) {
   if (!method.stages) return std::nullopt;
   const std::uint64_t views = shadowViewsOf(method);
-  if (method.stages->storage == Storage::linear) {
-    const std::uint64_t texels = texelsOf(mapSizesOf(method));
+  const bool ids = method.stages->storage == Storage::depthId;
+  if (ids && !device.hasInt64Atomics())
+    return "storage=depth-id keeps depths and triangles by 64-bit atomics, which this device can't: use "
+           "storage=depth";
+  if (ids || method.stages->storage == Storage::linear || method.settings.raster == Raster::compute) {
+    const std::uint64_t bytes = texelsOf(mapSizesOf(method)) * linearBytesPerTexel(*method.stages);
     const std::uint64_t most = device.limits().maxStorageBufferRange;
-    if (4 * texels > most)
+    if (bytes > most)
       return fmt::format(
-          "its maps take {} bytes of one buffer, this device's have at most {}: ask for smaller ones",
-          4 * texels, most);
+          "its maps take {} bytes of one buffer, this device's have at most {}: ask for smaller ones", bytes,
+          most);
     return std::nullopt;
   }
   if (method.stages->storage == Storage::moments) {
@@ -55,7 +59,7 @@ std::optional<std::string> whyTooLarge(const Method& method, const Device& devic
 
 std::unique_ptr<Store> makeStore(const Device& device, FramePipelines& pipelines, const Method& method,
                                  const shared::FrameConstants& constants) {
-  if (method.stages->storage == Storage::linear) return std::make_unique<LinearStore>(device, method);
+  if (isLinear(method)) return std::make_unique<LinearStore>(device, pipelines, method, constants);
   if (method.stages->storage == Storage::moments)
     return std::make_unique<MomentStore>(device, pipelines, method, constants);
   return std::make_unique<DepthStore>(device, method, constants);
@@ -80,7 +84,9 @@ void bindNoStore(BindingSet& bindings, const GpuImage& unread, VkSampler sampler
   for (const std::uint32_t binding :
        {shared::kBindStore, shared::kBindMultisampled, shared::kBindMoments, shared::kBindBlurred})
     bindings.set(binding, unread, sampler);
-  bindings.set(shared::kBindLinear, unreadToo);
+  for (const std::uint32_t binding : {shared::kBindLinear, shared::kBindRaster, shared::kBindListed,
+                                      shared::kBindParts, shared::kBindAreas})
+    bindings.set(binding, unreadToo);
 }
 
 }  // namespace sundial

@@ -9,6 +9,7 @@
 #include "gpu/pipeline.h"
 #include "shadow/method.h"
 #include "shared/frame.h"
+#include "work.h"
 
 namespace sundial {
 
@@ -26,12 +27,21 @@ class Store {
   Store& operator=(const Store&) = delete;
   virtual ~Store() = default;
 
-  // Clears all maps, and calls `draw` for each view with viewport and scissor set to its map.
+  // Clears all maps, and draws all views: by `draw`, with viewport and scissor set to the view's map, or by
+  // compute.
   virtual void record(VkCommandBuffer, const DrawView& draw) const = 0;
+  // Whether recorded work, now done, left something out: then there is room for it, and bindings are to be
+  // set and the maps recorded once more.
+  virtual bool again() { return false; }
+  // What the device's statistics don't know of the recorded work, now done.
+  virtual std::vector<Work> work() const { return {}; }
   // Makes lookups of drawn maps smoother, in a pass of its own.
   virtual bool filters() const { return false; }
   virtual void filter(VkCommandBuffer) const {}
   virtual void bindTo(BindingSet&) const = 0;
+  // The depths of all maps as they lie in the store: texel by texel of answers.frag. Empty where it holds
+  // none.
+  virtual std::vector<float> depths() const { return {}; }
   virtual std::uint64_t texels() const = 0;  // of all maps
   virtual std::uint64_t bytes() const = 0;   // of memory
 };

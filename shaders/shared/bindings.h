@@ -14,29 +14,40 @@ SUNDIAL_CONST kBindPlan = 4u;       // Plan
 SUNDIAL_CONST kBindCommands = 5u;   // DrawCommand[]
 SUNDIAL_CONST kBindVisible = 6u;    // uvec2[]: a bit a draw, by cull slot and chunk
 SUNDIAL_CONST kBindCounts = 7u;     // uint[]: commands, by cull slot and bucket
-SUNDIAL_CONST kBindLinear = 8u;     // uint[]: the bits of depths, storage=linear
-SUNDIAL_CONST kStorageBindings = 9u;
+SUNDIAL_CONST kBindLinear =
+    8u;  // uint[]: the bits of depths, or pairs of triangle and depth: maps in a linear buffer
+SUNDIAL_CONST kBindRaster = 9u;       // RasterState
+SUNDIAL_CONST kBindListed = 10u;      // ListedTriangle[]
+SUNDIAL_CONST kBindParts = 11u;       // RasterPart[]
+SUNDIAL_CONST kBindAreas = 12u;       // RasterArea[]
+SUNDIAL_CONST kBindSilhouette = 13u;  // SilhouetteDraw, SilhouetteEdge[]: shadow volumes
+SUNDIAL_CONST kStorageBindings = 14u;
 
 // Read at random, so through texel buffers: lavapipe gathers a whole texel at once, but a storage buffer's
 // words one by one and lane by lane.
-SUNDIAL_CONST kBindVertices = 9u;     // RGBA32UI: Vertex
-SUNDIAL_CONST kBindAttributes = 10u;  // RGBA32UI: Attributes
-SUNDIAL_CONST kBindTriangles = 11u;   // RGBA32UI: Triangle
-SUNDIAL_CONST kBindDraws = 12u;       // RG32UI: Draw
-SUNDIAL_CONST kBindInstances = 13u;   // RGBA32F: a row of Instance
-SUNDIAL_CONST kTexelBindings = 14u;
+SUNDIAL_CONST kBindVertices = 14u;    // RGBA32UI: Vertex
+SUNDIAL_CONST kBindAttributes = 15u;  // RGBA32UI: Attributes
+SUNDIAL_CONST kBindTriangles = 16u;   // RGBA32UI: Triangle
+SUNDIAL_CONST kBindDraws = 17u;       // RG32UI: Draw
+SUNDIAL_CONST kBindInstances = 18u;   // RGBA32F: a row of Instance
+// Of shadow volumes alone:
+SUNDIAL_CONST kBindEdges = 19u;         // RGBA32UI: Edge
+SUNDIAL_CONST kBindEdgeSides = 20u;     // R32UI: triangles about edges
+SUNDIAL_CONST kBindClusterEdges = 21u;  // RG32UI: first and number of the edges of a cluster
+SUNDIAL_CONST kBindPlanes = 22u;        // RGBA32F: a triangle's plane, mesh space
+SUNDIAL_CONST kTexelBindings = 23u;
 
-SUNDIAL_CONST kBindTextures = 14u;      // sampler2DArray: base colour
-SUNDIAL_CONST kBindDepth = 15u;         // sampler2D: the G-buffer's depth
-SUNDIAL_CONST kBindIds = 16u;           // usampler2D: the G-buffer's draw and triangle
-SUNDIAL_CONST kBindPositions = 17u;     // usampler2D: view samples, position's bits and instance
-SUNDIAL_CONST kBindNormals = 18u;       // usampler2D: view samples, normal's bits and triangle
-SUNDIAL_CONST kBindStore = 19u;         // sampler2D: the shadow maps
-SUNDIAL_CONST kBindVisibility = 20u;    // sampler2D: what resolve wrote
-SUNDIAL_CONST kBindMultisampled = 21u;  // sampler2DMS: the depths of one view, storage=moments
-SUNDIAL_CONST kBindMoments = 22u;       // sampler2DArray: a layer a view
-SUNDIAL_CONST kBindBlurred = 23u;       // sampler2DArray: a view half-way through its blur
-SUNDIAL_CONST kBindCount = 24u;
+SUNDIAL_CONST kBindTextures = 23u;      // sampler2DArray: base colour
+SUNDIAL_CONST kBindDepth = 24u;         // sampler2D: the G-buffer's depth
+SUNDIAL_CONST kBindIds = 25u;           // usampler2D: the G-buffer's draw and triangle
+SUNDIAL_CONST kBindPositions = 26u;     // usampler2D: view samples, position's bits and instance
+SUNDIAL_CONST kBindNormals = 27u;       // usampler2D: view samples, normal's bits and triangle
+SUNDIAL_CONST kBindStore = 28u;         // sampler2D: the shadow maps
+SUNDIAL_CONST kBindVisibility = 29u;    // sampler2D: what resolve wrote
+SUNDIAL_CONST kBindMultisampled = 30u;  // sampler2DMS: the depths of one view, storage=moments
+SUNDIAL_CONST kBindMoments = 31u;       // sampler2DArray: a layer a view
+SUNDIAL_CONST kBindBlurred = 32u;       // sampler2DArray: a view half-way through its blur
+SUNDIAL_CONST kBindCount = 33u;
 
 SUNDIAL_SHARED_END
 #endif

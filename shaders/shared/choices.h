@@ -22,5 +22,9 @@ SUNDIAL_CONST kTileCasters = 0u, kTileDepth = 1u, kTileBox = 2u;
 // Which view answers a sample: choose_view.glsl.
 SUNDIAL_CONST kChooseOnly = 0u, kChooseDepth = 1u, kChooseRadius = 2u, kChooseTightest = 3u, kChooseTile = 4u;
 
+// Where maps lie: in an image, or in a linear buffer of depths, or of depths with the triangles that have them:
+// stored_depth.glsl.
+SUNDIAL_CONST kStoreImage = 0u, kStoreDepths = 1u, kStoreIds = 2u;
+
 SUNDIAL_SHARED_END
 #endif

@@ -14,16 +14,31 @@ using glm::vec2;
 using glm::vec3;
 using glm::vec4;
 using uint = std::uint32_t;
+// What functions that both languages compile call.
+using glm::abs;
+using glm::atan;
+using glm::clamp;
+using glm::dot;
+using glm::floor;
+using glm::max;
+using glm::min;
+using glm::pow;
+using glm::sign;
+using glm::tan;
 }  // namespace sundial::shared
 #define SUNDIAL_SHARED_BEGIN namespace sundial::shared {
 #define SUNDIAL_SHARED_END }
 #define SUNDIAL_CONST inline constexpr uint
+#define SUNDIAL_CONST_FLOAT inline constexpr float
+#define SUNDIAL_FUNCTION inline
 #else
 #extension GL_EXT_scalar_block_layout : require
 
 #define SUNDIAL_SHARED_BEGIN
 #define SUNDIAL_SHARED_END
 #define SUNDIAL_CONST const uint
+#define SUNDIAL_CONST_FLOAT const float
+#define SUNDIAL_FUNCTION
 #endif
 
 #endif

@@ -37,6 +37,9 @@ inline std::vector<RenderJob> fingerprintJobs() {
     jobs.push_back(
         jobOf(scene, viewOf(*scene, view), lightOf(*scene, light), {250, 203}, {}, kAllImages, true));
     jobs.back().methods = fingerprintMethods();
+    if (std::ranges::any_of(scene->materials, &MaterialInfo::masked))
+      std::erase_if(jobs.back().methods,
+                    [](const Method& m) { return m.row->technique == Technique::shadowVolumes; });
   }
   return jobs;
 }

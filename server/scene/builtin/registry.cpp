@@ -16,7 +16,7 @@ namespace builtin {
 
 namespace {
 
-constexpr std::array<const Row*, 5> kRows{&kAtrium, &kTrees, &kVillage, &kCity, &kGrid};
+constexpr std::array<const Row*, 6> kRows{&kAtrium, &kTrees, &kVillage, &kCity, &kKnot, &kGrid};
 
 std::string described(const Row& row) {
   std::vector<std::string> ranges;

@@ -1,0 +1,119 @@
+// The second round: listed triangles, an invocation each. Clipped at the sides of the map, as lavapipe's pipeline clips
+// them, they fall into up to five parts; small parts are drawn at once, large ones are cut into areas.
+#include "raster.glsl"
+
+layout(local_size_x = 64) in;
+
+// dp / (dp - other) to the last bit or nearly: a division of floats may be off by more, which would move a vertex on
+// the grid. The remainder is exact by Dekker's product of halves.
+float share(float dp, float denominator) {
+  precise const float quotient = dp / denominator;
+  precise const float a = quotient * 4097, b = denominator * 4097;
+  precise const float qHigh = a - (a - quotient), dHigh = b - (b - denominator);
+  precise const float qLow = quotient - qHigh, dLow = denominator - dHigh;
+  precise const float product = quotient * denominator;
+  precise const float error = ((qHigh * dHigh - product) + qHigh * dLow + qLow * dHigh) + qLow * dLow;
+  precise const float remainder = (dp - product) - error;
+  precise const float corrected = quotient + remainder / denominator;
+  return corrected;
+}
+
+// Signed distance to a side of the map, times w: positive inside.
+float distanceTo(uint side, vec4 clip) {
+  const float position = side < 2 ? clip.x : clip.y;
+  return side % 2 == 0 ? clip.w - position : clip.w + position;
+}
+
+// Between a corner inside and one outside of a side, found from the nearer one.
+Corner crossing(Corner a, float da, Corner b, float db) {
+  precise float t;
+  Corner near, far;
+  if (abs(da) < abs(db)) {
+    near = a;
+    far = b;
+    t = share(-da, db - da);
+  } else {
+    near = b;
+    far = a;
+    t = share(-db, da - db);
+  }
+  precise const vec4 clip = near.clip + t * (far.clip - near.clip);
+  precise const vec3 attributes = near.attributes + t * (far.attributes - near.attributes);
+  return Corner(clip, attributes);
+}
+
+// What of a convex polygon of n corners lies inside a side; the number of its corners.
+int clipped(inout Corner corners[kMaxPolygon], int n, uint side) {
+  Corner kept[kMaxPolygon];
+  int count = 0;
+  for (int i = 0; i < n; ++i) {
+    const Corner a = corners[i], b = corners[i + 1 < n ? i + 1 : 0];
+    const float da = distanceTo(side, a.clip), db = distanceTo(side, b.clip);
+    if (da >= 0 && count < kMaxPolygon) kept[count++] = a;
+    if ((da >= 0) != (db >= 0) && count < kMaxPolygon) kept[count++] = crossing(a, da, b, db);
+  }
+  corners = kept;
+  return count;
+}
+
+// Turned so that the inside of its edges is positive.
+bool turnsBack(ivec2 p[3]) {
+  const ivec2 along = p[1] - p[0], across = p[2] - p[0];
+  return scaledSum(along.x, across.y, -along.y, across.x, 0) < 0;
+}
+
+void cutIntoAreas(uint view, uint id, ivec2 grid[3], Varying v, ivec4 box) {
+  const uint part = atomicAdd(raster.partCount[kKind], 1);
+  const uvec2 size = uvec2(box.zw - box.xy) / kAreaSide + 1;
+  const uint first = atomicAdd(raster.areaCount[kKind], size.x * size.y);
+  if (part >= push.partRoom || first + size.x * size.y > push.areaRoom) return;
+  RasterPart record;
+  record.view = view;
+  record.id = id;
+  record.x = int[3](grid[0].x, grid[1].x, grid[2].x);
+  record.y = int[3](grid[0].y, grid[1].y, grid[2].y);
+  record.box = int[4](box.x, box.y, box.z, box.w);
+  record.depth = vec3(v.depth, v.depthSlope);
+  record.depthRange = v.depthRange;
+  if (kMasked) record.attributes = vec4[3](v.attributes, v.attributesRight, v.attributesDown);
+  parts[kKind * push.partRoom + part] = record;
+  uint area = first;
+  for (uint y = 0; y < size.y; ++y)
+    for (uint x = 0; x < size.x; ++x) areas[kKind * push.areaRoom + area++] = RasterArea(part, y << 16 | x);
+  const uint last = first + size.x * size.y - 1;
+  atomicMax(raster.areas[kKind].x, min(last + 1, kWorkgroupsInRow));
+  atomicMax(raster.areas[kKind].y, last / kWorkgroupsInRow + 1);
+}
+
+void drawPart(uint view, uint id, Corner a, Corner b, Corner c, uint material) {
+  // Where the light itself lies on the map's rim.
+  if (!(min(min(a.clip.w, b.clip.w), c.clip.w) > 0)) return;
+  const uvec2 offset = plan.views[view].rectOffset, size = plan.views[view].rectSize;
+  const Placed p[3] = {placedIn(a, offset, size), placedIn(b, offset, size), placedIn(c, offset, size)};
+  const ivec4 box = texelBox(p, size);
+  if (isEmpty(box)) return;
+  ivec2 grid[3] = {p[0].grid, p[1].grid, p[2].grid};
+  if (turnsBack(grid)) {
+    grid[1] = p[2].grid;
+    grid[2] = p[1].grid;
+  }
+  const Varying v = varyingOver(p, box.xy);
+  if (all(lessThan(box.zw - box.xy, ivec2(kSmallSide))))
+    fill(view, id, edgesNear(grid, box.xy), v, box, material);
+  else
+    cutIntoAreas(view, id, grid, v, box);
+}
+
+void main() {
+  const uint item = gl_GlobalInvocationID.x;
+  if (item >= min(raster.listedCount[kKind], push.listedRoom)) return;
+  const ListedTriangle entry = listed[kKind * push.listedRoom + item];
+  Corner corners[3];
+  readTriangle(entry.view, entry.id, corners);
+  Corner polygon[kMaxPolygon];
+  for (int i = 0; i < 3; ++i) polygon[i] = corners[i];
+  int n = 3;
+  for (uint side = 0; side < 4; ++side) n = clipped(polygon, n, side);
+  const uint material = kMasked ? clusters[drawAt(entry.id / kMaxClusterTriangles).cluster].material : 0;
+  for (int i = 2; i < n; ++i) drawPart(entry.view, entry.id, polygon[0], polygon[i - 1], polygon[i], material);
+}

@@ -1,0 +1,78 @@
+// What the compute rasteriser's dispatches hand to each other (../raster.glsl).
+#ifndef SUNDIAL_SHARED_RASTER_H
+#define SUNDIAL_SHARED_RASTER_H
+#include "interop.h"
+#include "plan.h"
+#include "scene.h"
+
+SUNDIAL_SHARED_BEGIN
+
+SUNDIAL_CONST kSubTexels = 256u;  // steps of the grid that vertices lie on, to a texel
+// A triangle whose box has at most this many texels a side is drawn by one invocation; larger ones are cut into areas,
+// a workgroup each, and those into blocks, an invocation each.
+SUNDIAL_CONST kSmallSide = 32u;
+SUNDIAL_CONST kBlockSide = 16u;
+SUNDIAL_CONST kBlocksAcross = 8u;
+SUNDIAL_CONST kAreaSide = kBlockSide * kBlocksAcross;
+// Vertices of a triangle that was clipped at the four sides of a map.
+SUNDIAL_CONST kMaxPolygon = 7u;
+
+SUNDIAL_CONST kRasterKinds = 2u;          // opaque and masked triangles, each with its own lists
+SUNDIAL_CONST kWorkgroupsInRow = 32768u;  // of a dispatch; further ones go into its next row
+
+// What a texel takes of a triangle.
+SUNDIAL_CONST kCoverCentre = 0u;        // those whose centre lies in it, with its depth there
+SUNDIAL_CONST kCoverConservative = 1u;  // all that touch it, with the nearest depth of its plane in the texel
+
+struct DispatchCommand {  // VkDispatchIndirectCommand
+  uint x;
+  uint y;
+  uint z;
+};
+
+// A triangle of a draw in a view.
+struct ListedTriangle {
+  uint view;
+  uint id;  // triangleId()
+};
+
+// A large triangle on a map's grid, or a part of one that was clipped.
+struct RasterPart {
+  uint view;
+  uint id;
+  int x[3];  // 1/256 texels from the centre of the map's first texel; turning the same way for all
+  int y[3];
+  int box[4];   // texels, first and last
+  vec3 depth;   // at the box's first texel, and what each one to the right and down adds
+  vec2 depthRange;
+  vec4 attributes[3];  // of masked triangles, the same three of (uv, alpha, 1) over w
+};
+
+// Where in a part to draw: of the squares of kAreaSide texels that its box begins with the one in this row and column.
+struct RasterArea {
+  uint part;
+  uint place;  // row << 16 | column
+};
+
+struct RasterState {
+  DispatchCommand clusters[kMaxShadowViews * kBuckets];
+  DispatchCommand listed[kRasterKinds];
+  DispatchCommand areas[kRasterKinds];
+  // How many there were of each: more than there is room for means that some were lost.
+  uint listedCount[kRasterKinds];
+  uint partCount[kRasterKinds];
+  uint areaCount[kRasterKinds];
+  uint triangles;  // looked at, for the record
+};
+
+// Push constants of all of its dispatches.
+struct RasterPush {
+  uint view;
+  uint bucket;
+  uint listedRoom;  // of each kind
+  uint partRoom;
+  uint areaRoom;
+};
+
+SUNDIAL_SHARED_END
+#endif

@@ -1,0 +1,102 @@
+// storage=triangle: what a texel keeps of the triangle that is nearest to the light in it, in 128 bits
+// [Lecocq et al. 2014, sections 3.3 and 3.4]: its corners on the map, 3 x 2 x 16 bits; its depth at the
+// texel's centre, 16 bits; and how depth changes along the map, 2 x 8 bits.
+#ifndef SUNDIAL_SHARED_TRIANGLE_TEXEL_H
+#define SUNDIAL_SHARED_TRIANGLE_TEXEL_H
+#include "interop.h"
+
+SUNDIAL_SHARED_BEGIN
+
+// Corners are kept on a grid that reaches this far beyond the map on each side, in shares of the map.
+SUNDIAL_CONST_FLOAT kCornerMargin = 0.125f;
+SUNDIAL_CONST_FLOAT kCornerSteps = 65535.0f;
+// Code 0 is a texel without a triangle.
+SUNDIAL_CONST_FLOAT kDepthSteps = 65534.0f;
+SUNDIAL_CONST kSlopeCodes = 256u;
+SUNDIAL_CONST_FLOAT kHalfPi = 1.57079632679f;
+
+// A triangle on a map: x and y in [0, 1] across the map, depth in [0, 1], greater is nearer to the light.
+struct MapTriangle {
+  vec2 corners[3];
+  float depth;  // of its plane at the texel's centre
+  vec2 slope;   // of its plane: depth a map's side to the right and down
+};
+
+// Equation 3: of all angles between depth and map, those near a right angle get the most codes.
+SUNDIAL_FUNCTION uint codeOfSlope(float slope) {
+  const float x = atan(slope) / kHalfPi;
+  // The outermost two codes would be planes through the light's ray, without a slope.
+  return uint(clamp(floor(127.0f * (1.0f + x * x * x * x * x) + 0.5f), 1.0f, 253.0f));
+}
+
+// Equation 4, in the table that decodes.
+SUNDIAL_FUNCTION float slopeOfCode(float code) {
+  const float x = clamp(code, 0.5f, 253.5f) / 127.0f - 1.0f;
+  return tan(kHalfPi * sign(x) * pow(abs(x), 0.2f));
+}
+
+SUNDIAL_FUNCTION uint codeOfCorner(vec2 corner) {
+  const vec2 share = (corner + kCornerMargin) / (1.0f + 2.0f * kCornerMargin);
+  const vec2 code = floor(clamp(share, vec2(0.0f), vec2(1.0f)) * kCornerSteps + 0.5f);
+  return uint(code.x) | uint(code.y) << 16;
+}
+
+SUNDIAL_FUNCTION vec2 cornerOfCode(uint code) {
+  const vec2 share = vec2(float(code & 0xffffu), float(code >> 16)) / kCornerSteps;
+  return share * (1.0f + 2.0f * kCornerMargin) - kCornerMargin;
+}
+
+SUNDIAL_FUNCTION uint codeOfDepth(float depth) {
+  return 1u + uint(floor(clamp(depth, 0.0f, 1.0f) * kDepthSteps + 0.5f));
+}
+
+SUNDIAL_FUNCTION float depthOfCode(uint code) { return (float(code) - 1.0f) / kDepthSteps; }
+
+// How far along from-to the grid begins, for a corner beyond it: 2 where the edge passes the grid by.
+SUNDIAL_FUNCTION float shareToGrid(vec2 from, vec2 to) {
+  const vec2 low = vec2(-kCornerMargin), high = vec2(1.0f + kCornerMargin);
+  const vec2 target = clamp(from, low, high), along = to - from;
+  float share = 0.0f;
+  if (target.x != from.x) share = max(share, along.x != 0.0f ? (target.x - from.x) / along.x : 2.0f);
+  if (target.y != from.y) share = max(share, along.y != 0.0f ? (target.y - from.y) / along.y : 2.0f);
+  if (!(share >= 0.0f && share <= 1.0f)) return 2.0f;
+  const vec2 at = from + share * along, rounding = vec2(1e-4f);
+  return at.x >= low.x - rounding.x && at.y >= low.y - rounding.y && at.x <= high.x + rounding.x &&
+                 at.y <= high.y + rounding.y
+             ? share
+             : 2.0f;
+}
+
+// Distance of a point from the line through two others, squared.
+SUNDIAL_FUNCTION float lineDistance2(vec2 point, vec2 a, vec2 b) {
+  const vec2 along = b - a, to = point - a;
+  const float area = along.x * to.y - along.y * to.x;
+  return area * area / max(dot(along, along), 1e-30f);
+}
+
+// Where a corner beyond the grid is kept: moved along one of its two edges to the grid's rim, the one that
+// passes nearer to the texel. That edge stays where it is; of the triangle, what is cut off lies behind the
+// other one.
+SUNDIAL_FUNCTION vec2 cornerOnGrid(vec2 corner, vec2 next, vec2 other, vec2 texelCentre) {
+  const vec2 low = vec2(-kCornerMargin), high = vec2(1.0f + kCornerMargin);
+  if (corner.x >= low.x && corner.y >= low.y && corner.x <= high.x && corner.y <= high.y) return corner;
+  const bool nextIsNearer =
+      lineDistance2(texelCentre, corner, next) <= lineDistance2(texelCentre, corner, other);
+  const vec2 first = nextIsNearer ? next : other, second = nextIsNearer ? other : next;
+  const float alongFirst = shareToGrid(corner, first);
+  if (alongFirst <= 1.0f) return corner + alongFirst * (first - corner);
+  const float alongSecond = shareToGrid(corner, second);
+  if (alongSecond <= 1.0f) return corner + alongSecond * (second - corner);
+  return clamp(corner, low, high);
+}
+
+SUNDIAL_FUNCTION uvec4 packedTriangle(MapTriangle t, vec2 texelCentre) {
+  const vec2 a = cornerOnGrid(t.corners[0], t.corners[1], t.corners[2], texelCentre);
+  const vec2 b = cornerOnGrid(t.corners[1], t.corners[2], t.corners[0], texelCentre);
+  const vec2 c = cornerOnGrid(t.corners[2], t.corners[0], t.corners[1], texelCentre);
+  return uvec4(codeOfCorner(a), codeOfCorner(b), codeOfCorner(c),
+               codeOfDepth(t.depth) << 16 | codeOfSlope(t.slope.x) << 8 | codeOfSlope(t.slope.y));
+}
+
+SUNDIAL_SHARED_END
+#endif

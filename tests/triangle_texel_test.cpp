@@ -1,0 +1,168 @@
+// What 128 bits keep of a triangle, and what is made of it: the same functions that the shaders run.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+#include <random>
+
+#include "shared/silhouette.h"
+#include "shared/triangle_texel.h"
+
+namespace sundial::shared {
+namespace {
+
+double degreesOf(double slope) { return std::atan(slope) * 180 / std::numbers::pi; }
+
+double angleError(double degrees) {
+  const double slope = std::tan(degrees * std::numbers::pi / 180);
+  return std::abs(degreesOf(slopeOfCode(static_cast<float>(codeOfSlope(static_cast<float>(slope))))) -
+                  degrees);
+}
+
+TEST(TriangleTexel, SlopesAreFineWherePlanesAreSteep) {
+  double most = 0;
+  for (int i = 0; i <= 2000; ++i) most = std::max(most, angleError(79.5 + i * 0.0005));
+  EXPECT_LE(most, 0.12);
+  EXPECT_GT(most, 0.10);  // half of the distance between two codes there
+  EXPECT_LE(angleError(85), 0.09);
+  EXPECT_LE(angleError(-80), 0.12);
+  // Flat planes pay for it: the code beside that of no slope stands for 34 degrees.
+  EXPECT_EQ(codeOfSlope(0), 127u);
+  EXPECT_EQ(slopeOfCode(127), 0);
+  EXPECT_NEAR(degreesOf(slopeOfCode(128)), 34.2, 0.1);
+}
+
+TEST(TriangleTexel, SlopesHaveTheirOwnCodes) {
+  for (unsigned code = 1; code <= 253; ++code) {
+    EXPECT_EQ(codeOfSlope(slopeOfCode(static_cast<float>(code))), code);
+    EXPECT_NEAR(slopeOfCode(static_cast<float>(code)), -slopeOfCode(static_cast<float>(254 - code)),
+                1e-4 * std::abs(slopeOfCode(static_cast<float>(code))));
+  }
+  for (const float steep : {1e9f, 1e30f}) {
+    EXPECT_EQ(codeOfSlope(steep), 253u);
+    EXPECT_EQ(codeOfSlope(-steep), 1u);
+  }
+}
+
+TEST(TriangleTexel, CornersAndDepthComeBackAsFineAsTheirCodes) {
+  std::mt19937 random(1);
+  std::uniform_real_distribution<float> onMap(-kCornerMargin, 1 + kCornerMargin), depth(0, 1);
+  for (int i = 0; i < 1000; ++i) {
+    MapTriangle t;
+    for (vec2& corner : t.corners) corner = {onMap(random), onMap(random)};
+    t.depth = depth(random);
+    t.slope = vec2(0);
+    const uvec4 texel = packedTriangle(t, vec2(0.5f));
+    const float half = 0.501f * (1 + 2 * kCornerMargin) / kCornerSteps;
+    for (int c = 0; c < 3; ++c) {
+      EXPECT_NEAR(cornerOfCode(texel[c]).x, t.corners[c].x, half);
+      EXPECT_NEAR(cornerOfCode(texel[c]).y, t.corners[c].y, half);
+    }
+    EXPECT_NEAR(depthOfCode(texel.w >> 16), t.depth, 0.51f / kDepthSteps);
+    EXPECT_NE(texel.w >> 16, 0u);
+    EXPECT_EQ(texel.w & 0xffffu, 127u << 8 | 127u);
+  }
+}
+
+// A corner beyond the grid moves along the edge that passes by the texel, so that this edge doesn't turn.
+TEST(TriangleTexel, CornersBeyondTheGridKeepTheEdgeThatIsNear) {
+  std::mt19937 random(2);
+  std::uniform_real_distribution<float> inside(0.1f, 0.9f), far(2, 40);
+  for (int i = 0; i < 1000; ++i) {
+    const vec2 near(inside(random), inside(random));
+    const vec2 away(far(random), far(random) - 20), other(far(random), far(random) + 30);
+    const vec2 texel = near + 0.02f * (away - near);  // on the edge from near to away
+    const vec2 kept = cornerOnGrid(away, near, other, texel);
+    EXPECT_LE(std::abs(kept.x - 0.5f), 0.5f + kCornerMargin + 1e-4f);
+    EXPECT_LE(std::abs(kept.y - 0.5f), 0.5f + kCornerMargin + 1e-4f);
+    EXPECT_LT(std::sqrt(lineDistance2(texel, near, kept)), 1e-4f);
+  }
+}
+
+// The greatest depth of a triangle within its texel, by trying many places.
+TEST(Silhouette, TheNearestPointIsOnTheTriangleAndNoneIsNearer) {
+  std::mt19937 random(3);
+  std::uniform_real_distribution<float> wide(-1.5f, 1.5f), unit(0, 1), inTexel(-0.5f, 0.5f);
+  int covered = 0;
+  for (int i = 0; i < 3000; ++i) {
+    TexelTriangle t;
+    for (vec2& corner : t.corners) corner = {wide(random), wide(random)};
+    t.depth = unit(random);
+    t.slope = {wide(random), wide(random)};
+    float greatest = -100;
+    for (int k = 0; k < 400; ++k) {
+      const vec2 at(inTexel(random), inTexel(random));
+      if (containsPoint(t, at)) greatest = std::max(greatest, planeDepth(t, at));
+    }
+    if (greatest < -50) continue;
+    ++covered;
+    const vec2 nearest = nearestPoint(t);
+    EXPECT_LE(std::max(std::abs(nearest.x), std::abs(nearest.y)), 0.5001f);
+    EXPECT_GE(planeDepth(t, nearest), greatest - 1e-5f);
+    // On it, but for rounding.
+    const vec2 centroid = (t.corners[0] + t.corners[1] + t.corners[2]) / 3.0f;
+    EXPECT_TRUE(containsPoint(t, nearest + 1e-4f * (centroid - nearest)));
+  }
+  EXPECT_GT(covered, 1000);
+}
+
+// Directions of a pattern's edges, 16ths of a turn.
+std::vector<unsigned> edgesIn(std::initializer_list<unsigned> shadowed) {
+  unsigned bits = 0;
+  for (const unsigned i : shadowed) bits |= 1u << i;
+  const unsigned code = edgesOfPattern(bits);
+  std::vector<unsigned> edges;
+  for (unsigned i = 0; i < (code & 7u); ++i) edges.push_back(code >> (3 + 4 * i) & 15u);
+  return edges;
+}
+
+TEST(Silhouette, PatternsTellWhereTheLightLies) {
+  using Edges = std::vector<unsigned>;
+  EXPECT_EQ(edgesIn({0, 1, 2, 3, 4}), Edges{12});         // the lower row is lit: light below
+  EXPECT_EQ(edgesIn({2, 3, 4, 5, 6}), Edges{0});          // right column lit
+  EXPECT_EQ(edgesIn({4, 5, 6}), Edges{2});                // light at the upper right
+  EXPECT_EQ(edgesIn({0, 2, 3, 4, 5, 6, 7}), Edges{2});    // one lit corner
+  EXPECT_EQ(edgesIn({2, 6}), (Edges{8, 0}));              // a bar: lit on both sides
+  EXPECT_EQ(edgesIn({2, 1, 3, 5, 6, 7}), (Edges{0, 8}));  // a broad one
+  EXPECT_EQ(edgesIn({4, 3, 1}), edgesIn({4, 3}));         // a corner of its own doesn't count
+  EXPECT_EQ(edgesIn({1, 3, 5, 7}), Edges{});              // nor do four
+  EXPECT_EQ(edgesIn({0, 1, 2, 3, 4, 5, 6, 7}), Edges{});
+  EXPECT_EQ(edgesIn({0, 2, 4, 6}).size(), 4u);
+  for (unsigned pattern = 0; pattern < 256; ++pattern) EXPECT_LE(edgesOfPattern(pattern) & 7u, 4u);
+}
+
+EdgeFunction through(const std::vector<vec2>& points) {
+  EdgeFunction f = emptyEdge();
+  for (int pass = 0; pass < 3; ++pass)
+    for (const vec2& p : points) f = with(f, p);
+  return f;
+}
+
+TEST(Silhouette, TheEdgeIsTheLowestLineAcross) {
+  EXPECT_FLOAT_EQ(valueAt(through({{-1, 2}, {1, 4}}), 0), 3);
+  EXPECT_FLOAT_EQ(valueAt(through({{-1, 2}, {1, 4}}), 0.5f), 3.5f);
+  // What lies behind doesn't count, whenever it comes.
+  EXPECT_FLOAT_EQ(valueAt(through({{-0.5f, 9}, {-1, 2}, {0.2f, 7}, {1, 4}, {-0.1f, 3.5f}}), 0), 3);
+  EXPECT_FLOAT_EQ(valueAt(through({{0, 1}, {-1, 2}, {1, 4}}), 0), 1);
+  const EdgeFunction half = through({{-1, 2}, {-2, 5}});
+  EXPECT_TRUE(half.hasLeft && !half.hasRight);
+  std::mt19937 random(4);
+  std::uniform_real_distribution<float> wide(-2, 2);
+  int exact = 0;
+  for (int i = 0; i < 500; ++i) {
+    std::vector<vec2> points(12);
+    for (vec2& p : points) p = {wide(random), wide(random)};
+    float lowest = 100;
+    for (const vec2& a : points)
+      for (const vec2& b : points)
+        if (a.x < 0 && b.x > 0) lowest = std::min(lowest, a.y - a.x * (b.y - a.y) / (b.x - a.x));
+    const EdgeFunction f = through(points);
+    if (!f.hasLeft || !f.hasRight) continue;
+    EXPECT_GE(valueAt(f, 0), lowest - 1e-5f);
+    exact += valueAt(f, 0) <= lowest + 1e-4f;
+  }
+  EXPECT_GT(exact, 480);
+}
+
+}  // namespace
+}  // namespace sundial::shared

@@ -57,6 +57,7 @@ struct GraphicsPipelineInfo {
   std::vector<VkVertexInputAttributeDescription> vertexAttributes = {};
   std::vector<VkFormat> colourFormats = {};
   bool depth = false;       // D32, reversed: nearer is greater
+  bool depthAlways = false;  // drawn over what is there, whatever its depth
   bool depthClamp = false;  // casters before the near plane are kept, at depth 1
   bool adds = false;        // fragments add up, instead of the last one staying
   VkSampleCountFlagBits samples = VK_SAMPLE_COUNT_1_BIT;

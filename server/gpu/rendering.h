@@ -15,6 +15,8 @@ void renderInto(VkCommandBuffer, const std::vector<const GpuImage*>& colours, co
 // The same into the first level of one layer of an array; the others stay as they are.
 void renderIntoLayer(VkCommandBuffer, const GpuImage& array, std::uint32_t layer,
                      const std::function<void()>& draw);
+// Into a depth image that isn't cleared: over what it holds.
+void renderOver(VkCommandBuffer, const GpuImage& depth, const std::function<void()>& draw);
 
 // The same onto what an image holds already.
 void renderOnto(VkCommandBuffer, const GpuImage&, const std::function<void()>& draw);

@@ -61,9 +61,10 @@ class Frame {
 
   shared::Plan downloadPlan() const;          // viewCount 0 for methods without a map
   std::vector<float> downloadDepths() const;  // Store::depths()
-  std::uint64_t storeTexels() const;
+  std::uint64_t storeTexels() const;          // that there is memory for
   std::uint64_t storeBytes() const;
-  std::uint64_t totalBytes() const;  // with the plan, the lists of culling and what analysis needs
+  std::uint64_t usedStoreBytes(const shared::Plan&) const;  // less, where a plan on the device sizes the maps
+  std::uint64_t otherBytes() const;  // the plan, the lists of culling and what analysis needs
 
  private:
   void gbuffer(VkCommandBuffer) const;
@@ -73,6 +74,7 @@ class Frame {
   void readPlan(VkCommandBuffer) const;
   void takeHostDraws(VkCommandBuffer) const;
   void cullByHost() const;
+  void fitStore();
   void store(VkCommandBuffer) const;
   bool storeAgain();
   std::vector<Work> storeWork() const;
@@ -86,7 +88,6 @@ class Frame {
   void resolveVolumes(VkCommandBuffer) const;
 
   void bindTo(BindingSet&, const ViewTarget& samples) const;
-  bool asksSamples() const;
   void dispatch(VkCommandBuffer, VkPipeline, std::uint32_t groups) const;
   void drawSlot(VkCommandBuffer, std::uint32_t slot, VkPipeline opaque, VkPipeline masked,
                 bool cullFaces) const;

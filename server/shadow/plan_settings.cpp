@@ -146,6 +146,9 @@ void settle(shared::FrameConstants& c, const Method& method, const dvec3& origin
     c.storeSize = {texelsOf(mapSizesOf(method)), 1};
   else
     c.storeSize = to.mapSize * glm::uvec2(to.mapColumns, (views + to.mapColumns - 1) / to.mapColumns);
+  if (stages.partition == Partition::tiles) to.mapSize = glm::uvec2(std::ranges::max(from.tileSizes));
+  to.smallerShare = static_cast<float>(from.percentile / 100);
+  to.viewport = c.storeSize;
   if (stages.partition != Partition::tiles) return;
   to.tilesPerSide = static_cast<std::uint32_t>(std::lround(std::sqrt(static_cast<double>(views))));
   std::ranges::copy(from.tileSizes, to.tileTexels);

@@ -19,6 +19,10 @@ SUNDIAL_CONST kFitLoose = 0u, kFitSamples = 1u, kFitSnapped = 2u;
 // What a tile is fitted to, casters' bounds in depth, samples in depth, or samples on all sides: plan_tiles.comp.
 SUNDIAL_CONST kTileCasters = 0u, kTileDepth = 1u, kTileBox = 2u;
 
+// How large maps are: as the method says, or from the smallest or a percentile of the pixels' sizes:
+// analyze_segments.comp, estimate.glsl.
+SUNDIAL_CONST kSizesFixed = 0u, kSizesSmallest = 1u, kSizesPercentile = 2u;
+
 // Which view answers a sample: choose_view.glsl.
 SUNDIAL_CONST kChooseOnly = 0u, kChooseDepth = 1u, kChooseRadius = 2u, kChooseTightest = 3u, kChooseTile = 4u;
 

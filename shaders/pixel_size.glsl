@@ -4,10 +4,12 @@
 #define SUNDIAL_PIXEL_SIZE_GLSL
 #include "bindings.glsl"
 
-// Light space after division. Nothing that a texel could be too large for where a corner lies beside a spot light.
-vec2 pixelSize(ivec2 pixel, mat4 lightFromWorld) {
+// Light space after division. A pixel at the image's rim, whose outer corners have too few neighbours, counts as the next one
+// inside. Nothing that a texel could be too large for where a corner lies beside a spot light.
+vec2 pixelSize(ivec2 at, mat4 lightFromWorld) {
   const float kHuge = 1e30;
   const ivec2 last = ivec2(frame.imageSize) - 1;
+  const ivec2 pixel = max(min(at, last - 1), min(ivec2(1), last));
   float around[9];
   for (int i = 0; i < 9; ++i)
     around[i] = texelFetch(gbufferDepth, clamp(pixel + ivec2(i % 3, i / 3) - 1, ivec2(0), last), 0).r;

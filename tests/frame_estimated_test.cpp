@@ -16,7 +16,7 @@ class FrameEstimated : public RendererTest {};
 // A ground that fills every view that looks down on it.
 std::shared_ptr<const Scene> plane() {
   SceneBuilder builder("plane");
-  builder.addMaterial({});
+  builder.addMaterial({.gpu = {glm::vec4(1), 0, shared::kNoTexture, 0, 0}});
   const std::uint32_t mesh = builder.addMesh(
       "ground", {{.positions = {{-1000, 0, -1000}, {-1000, 0, 1000}, {1000, 0, 1000}, {1000, 0, -1000}},
                   .indices = {0, 1, 2, 0, 2, 3}}});

@@ -3,7 +3,7 @@
 #include <cstring>
 
 #include "gpu/rendering.h"
-#include "shadow/host_cull.h"
+#include "shadow/minimal_frustum.h"
 #include "shadow/plan_settings.h"
 #include "shadow/raster_choice.h"
 #include "shared/bindings.h"
@@ -159,8 +159,24 @@ std::vector<Pass> Frame::passes() {
     }
     return {};
   }();
+  if (method_.stages->focus == Focus::calipers)
+    passes.insert(passes.begin(), {.name = "fit", .host = [this] { fit(); }});
   if (!store_->filters()) std::erase_if(passes, [](const Pass& pass) { return pass.name == "filter"; });
   return passes;
+}
+
+// What the camera could see, in the light's frustum.
+void Frame::fit() {
+  if (boxes_.empty() || boxesAt_ != view_.origin) {
+    boxes_.clear();
+    boxesAt_ = view_.origin;
+    const std::vector<WorldBox> all = worldBoxes(view_.scene, view_.origin);
+    for (std::size_t i = 0; i < all.size(); ++i)
+      if (view_.scene.draws()[i].instance != shared::kNoInstance) boxes_.push_back(all[i]);
+  }
+  shared::FrameConstants fitted = constantsOf(view_, method_);
+  fitMinimalFrustum(fitted, boxes_);
+  *constants_.mapped<shared::FrameConstants>() = fitted;
 }
 
 // What the camera sees: the clusters that reach its frustum, their ids and depth, then the view samples.

@@ -6,6 +6,7 @@
 
 #include "reference/reference.h"
 #include "shadow/frame_pipelines.h"
+#include "shadow/host_cull.h"
 #include "shadow/method.h"
 #include "shadow/scene_buffers.h"
 #include "shadow/shadow_volumes.h"
@@ -67,6 +68,7 @@ class Frame {
   std::uint64_t otherBytes() const;  // the plan, the lists of culling and what analysis needs
 
  private:
+  void fit();
   void gbuffer(VkCommandBuffer) const;
   void analyze(VkCommandBuffer) const;
   void plan(VkCommandBuffer) const;
@@ -103,6 +105,9 @@ class Frame {
   BindingSet bindings_;
   // plan=readback alone: the plan on its way to the host, and what the host leaves of the draws.
   std::optional<Buffer> hostPlan_, hostCommands_, hostCounts_;
+  // focus=calipers alone: the scene's boxes, relative to an origin.
+  std::vector<WorldBox> boxes_;
+  glm::dvec3 boxesAt_{0};
   mutable std::optional<glm::dvec3> analysedAt_;  // the origin of the last analysis that was recorded
   std::optional<ShadowVolumes> volumes_;
   // Ray tracing alone: view samples on their way to the host, visibility on its way back.

@@ -101,7 +101,11 @@ Specialization planConstants(const Method& method) {
             : stages.focus == Focus::depth ? shared::kTileDepth
                                            : shared::kTileBox,
             stages.resolution == Resolution::ranked, sizes};
-  if (stages.partition == Partition::single) return {stages.volume == Volume::samples, 0, sizes};
+  if (stages.partition == Partition::single)
+    return {stages.focus == Focus::calipers    ? shared::kOnlyHosts
+            : stages.volume == Volume::samples ? shared::kOnlySamples
+                                               : shared::kOnlyScene,
+            0, sizes};
   return {stages.focus == Focus::loose     ? shared::kFitLoose
           : stages.focus == Focus::snapped ? shared::kFitSnapped
                                            : shared::kFitSamples,

@@ -13,6 +13,9 @@ SUNDIAL_CONST kCutManual = 0u, kCutUniform = 1u, kCutLog = 2u, kCutPractical = 3
 // Which part of the plan a view sample belongs to: segments.glsl.
 SUNDIAL_CONST kSegmentAll = 0u, kSegmentDepth = 1u, kSegmentRadius = 2u, kSegmentTile = 3u;
 
+// What the only view's box is: the scene's, the samples', or what the host found: plan_single.comp.
+SUNDIAL_CONST kOnlyScene = 0u, kOnlySamples = 1u, kOnlyHosts = 2u;
+
 // What a partition's box is fitted to: plan_splits.comp.
 SUNDIAL_CONST kFitLoose = 0u, kFitSamples = 1u, kFitSnapped = 2u;
 

@@ -42,6 +42,10 @@ Side sideOf(const WorldBox& box, const dvec4& plane) {
   return middle + reach < 0 ? Side::outside : middle - reach < 0 ? Side::across : Side::inside;
 }
 
+dvec3 cornerOf(const WorldBox& box, int i) {
+  return dvec3(box.centre) + dvec3(i & 1 ? 1 : -1, i & 2 ? 1 : -1, i & 4 ? 1 : -1) * dvec3(box.extent);
+}
+
 // Calls `each` with points whose hull holds what of the box the planes leave.
 template <class Function>
 void eachSeenCorner(const WorldBox& box, const Planes& planes, Function each) {
@@ -50,6 +54,10 @@ void eachSeenCorner(const WorldBox& box, const Planes& planes, Function each) {
     const Side side = sideOf(box, plane);
     if (side == Side::outside) return;
     if (side == Side::across) across.push_back(plane);
+  }
+  if (across.empty()) {
+    for (int i = 0; i < 8; ++i) each(cornerOf(box, i));
+    return;
   }
   Polytope seen(dvec3(box.centre - box.extent), dvec3(box.centre + box.extent));
   for (const dvec4& plane : across) seen.clip(plane);
@@ -64,8 +72,7 @@ struct LightBox {
 LightBox lightBox(const WorldBox& box, const dmat4& lightFromWorld) {
   LightBox out;
   for (int i = 0; i < 8; ++i) {
-    const dvec3 corner(i & 1 ? 1 : -1, i & 2 ? 1 : -1, i & 4 ? 1 : -1);
-    const dvec4 light = lightFromWorld * dvec4(dvec3(box.centre) + corner * dvec3(box.extent), 1);
+    const dvec4 light = lightFromWorld * dvec4(cornerOf(box, i), 1);
     if (light.w <= 0) return {dvec3(-1e300), dvec3(1e300)};
     out.low = glm::min(out.low, dvec3(light) / light.w);
     out.high = glm::max(out.high, dvec3(light) / light.w);

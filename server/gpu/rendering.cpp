@@ -82,7 +82,7 @@ void renderOnto(VkCommandBuffer command, const GpuImage& image, const std::funct
   transition(command, image, kColour, kRead);
 }
 
-void renderOver(VkCommandBuffer command, const GpuImage& depth, const std::function<void()>& draw) {
+void renderOntoDepth(VkCommandBuffer command, const GpuImage& depth, const std::function<void()>& draw) {
   transition(command, depth, kRead, kDepth);
   VkRenderingAttachmentInfo kept = attachment(depth.view(), kDepth);
   kept.loadOp = VK_ATTACHMENT_LOAD_OP_LOAD;

@@ -360,7 +360,7 @@ void Frame::takeVisibility(VkCommandBuffer command) const {
 void Frame::countVolumes(VkCommandBuffer command) const {
   bindings_.bind(command);
   volumes_->count(command, view_.pipelines.layout.pipeline(), [&](VkPipeline caps) {
-    drawSlot(command, {commands_, counts_, shared::kCameraSlot}, caps, caps, false);
+    drawSlot(command, shared::kCameraSlot, caps, caps, false);
   });
 }
 

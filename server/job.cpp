@@ -283,7 +283,8 @@ Result<void> runJob(const JobContext& context, const RenderJob& job, const Inter
     if (method.stages && (job.measures || wants(job, Aov::view)))
       answers = takeAnswers(context.device, context.target, frame);
 
-    MethodResult result{.method = method, .plan = planViews(frame.downloadPlan(), origin)};
+    const shared::Plan plan = frame.downloadPlan();
+    MethodResult result{.method = method, .plan = planViews(plan, origin)};
     sink.onPlan(i, result.plan);
     for (const Aov aov : job.images)
       sink.onImage(i, takeImage(aov, context, view, truth ? *truth : Truth{}, answers));
@@ -296,8 +297,8 @@ Result<void> runJob(const JobContext& context, const RenderJob& job, const Inter
     result.passes = passTimings(series->passes, series->frames);
     countScenes(result.passes, scene);
     if (job.measures) result.measures = measured(context, job, *truth, frame, view, answers);
-    result.storeBytes = frame.storeBytes();
-    result.totalBytes = frame.totalBytes();
+    result.storeBytes = frame.usedStoreBytes(plan);
+    result.totalBytes = result.storeBytes + frame.otherBytes();
     result.allocatedBytes = frame.storeBytes();
     sink.onResult(i, std::move(result));
   }

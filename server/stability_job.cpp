@@ -134,8 +134,7 @@ class MethodRun {
         stage_(stage),
         target_(target),
         method_(method),
-        frame_(stage.enter(0), method),
-        bindings_(hasMap(method) ? std::optional(frame_.bindingsAt(target.target())) : std::nullopt) {}
+        frame_(stage.enter(0), method) {}
 
   enum class Extent { maps, picture };
 
@@ -189,9 +188,10 @@ class MethodRun {
       return visibility;
     }
     target_.set(samples);
+    const BindingSet bindings = frame_.bindingsAt(target_.target());
     context_.device.submit([&](VkCommandBuffer command) {
       target_.recordUpload(command);
-      frame_.recordLookup(command, target_.target(), *bindings_);
+      frame_.recordLookup(command, target_.target(), bindings);
     });
     return target_.visibility(context_.device);
   }
@@ -201,7 +201,6 @@ class MethodRun {
   PointTarget& target_;
   const Method& method_;
   Frame frame_;
-  std::optional<BindingSet> bindings_;
 };
 
 Result<void> runMethod(const JobContext& context, const Stage& stage, PointTarget& target,

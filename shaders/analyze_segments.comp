@@ -1,21 +1,25 @@
 #version 460
 #extension GL_GOOGLE_include_directive : require
 // The boxes of the view samples in light space, one a segment [Lauritzen et al. 2011, section 3.3], how many samples each
-// has, and how important they are [Alecu 2014, section 3.3]. A thread's pixels mostly lie in one segment: it hands over
+// has, how important they are [Alecu 2014, section 3.3], and how small their pixels [Ferko 2013, section 3.2]. A thread's pixels mostly lie in one segment: it hands over
 // what it has when the segment changes.
 #include "analyze.glsl"
+#include "pixel_size.glsl"
 #include "segments.glsl"
+#include "size_bins.glsl"
 #include "tiles.glsl"
 
 layout(constant_id = 0) const uint kSegments = kSegmentAll;
+layout(constant_id = 1) const uint kSizes = kSizesFixed;
 
 struct Found {
   vec3 low;
   vec3 high;
   uint samples;
   uint importance;
+  vec2 pixel;  // the smallest width and height
 };
-const Found kNothing = Found(vec3(1e38), vec3(-1e38), 0, 0);
+const Found kNothing = Found(vec3(1e38), vec3(-1e38), 0, 0, vec2(1e38));
 
 void handOver(uint segment, Found found) {
   for (uint axis = 0; axis < 3; ++axis) {
@@ -23,6 +27,8 @@ void handOver(uint segment, Found found) {
     atomicMax(analysis.lsMax[3 * segment + axis], orderedFromFloat(found.high[axis]));
   }
   atomicAdd(analysis.sampleCount[segment], found.samples);
+  for (uint axis = 0; kSizes == kSizesSmallest && axis < 2; ++axis)
+    atomicMin(analysis.lsPixelMin[2 * segment + axis], orderedFromFloat(found.pixel[axis]));
   if (kSegments == kSegmentTile) atomicAdd(analysis.importance[segment], found.importance);
 }
 
@@ -43,6 +49,11 @@ bool segmentOf(ViewSample s, vec2 ls, out uint segment) {
   }
   if (kSegments != kSegmentAll) segment = partitionOf(viewDepth(s.wsPosition, kSegments == kSegmentRadius));
   return true;
+}
+
+void countPixel(uint segment, vec2 size) {
+  for (uint axis = 0; axis < 2; ++axis)
+    atomicAdd(analysis.pixelHistogram[(2 * segment + axis) * kSizeBins + binOfSize(size[axis])], 1);
 }
 
 // Whether the sample lies in the last part of its partition's depth, which fades into the next.
@@ -74,12 +85,17 @@ void main() {
     found.high = max(found.high, ls);
     ++found.samples;
     // A sample that fades into the next partition must find itself there too.
-    if (fades(s, segment)) handOver(segment + 1, Found(ls, ls, 0, 0));
+    if (fades(s, segment)) handOver(segment + 1, Found(ls, ls, 0, 0, vec2(1e38)));
+    if (kSizes != kSizesFixed) {
+      const vec2 size = pixelSize(ivec2(pixel % frame.imageSize.x, pixel / frame.imageSize.x), frame.lightFromWorld);
+      if (kSizes == kSizesPercentile) countPixel(segment, size);
+      else found.pixel = min(found.pixel, size);
+    }
     if (kSegments == kSegmentTile) found.importance += importanceOf(viewDepth(s.wsPosition, false));
   }
   if (subgroupAllEqual(current)) {
     found = Found(subgroupMin(found.low), subgroupMax(found.high), subgroupAdd(found.samples),
-                  subgroupAdd(found.importance));
+                  subgroupAdd(found.importance), subgroupMin(found.pixel));
     if (subgroupElect() && found.samples > 0) handOver(current, found);
   } else if (found.samples > 0) {
     handOver(current, found);

@@ -5,7 +5,7 @@
 //   samples  its view samples (focus=aabb, aligned) [Lauritzen et al. 2011, section 3.3]
 //   snapped  the same, with sides of powers of two texel by texel and corners on a grid that is fixed in the world, so
 //            that a texel that stays in the map stays where it is [section 5.3]
-#include "plan_view.glsl"
+#include "estimate.glsl"
 #include "shared/choices.h"
 
 layout(local_size_x = kMaxPartitions) in;
@@ -45,23 +45,27 @@ LightBox snapped(LightBox box, uvec2 texels) {
   return box;
 }
 
-void main() {
-  const uint view = gl_LocalInvocationID.x;
-  const mat4 lightFromWorld = kFit == kFitLoose ? frame.lightFromWorld : analysis.lightFromWorld;
-  if (view == 0) writePlan(frame.settings.partitions, lightFromWorld);
-  if (view >= frame.settings.partitions) return;
-
-  const uvec2 texels = frame.settings.mapSize;
+void planView(uint view, mat4 lightFromWorld) {
   const float depthBegin = analysis.splits[view], depthEnd = analysis.splits[view + 1];
   // The first partition begins at the camera, whatever the formula's near depth is.
   LightBox box = kFit == kFitLoose ? sliceBox(view == 0 ? frame.nearDistance : depthBegin, depthEnd) : sampleBox(view);
-  if (!isEmpty(box)) {
-    box = withCasters(box);
-    box = kFit == kFitSnapped ? snapped(withExtent(box), texels) : withExtent(withBorder(box, texels));
-  }
+  if (!isEmpty(box)) box = withCasters(box);
+  const uvec2 texels = texelsFor(view, box, 2);
+  if (!isEmpty(box)) box = kFit == kFitSnapped ? snapped(withExtent(box), texels) : withExtent(withBorder(box, texels));
   placeMap(view);
   writeView(view, box, lightFromWorld, texels);
   plan.views[view].depthBegin = depthBegin;
   plan.views[view].depthEnd = depthEnd;
-  if (kFit != kFitLoose) plan.views[view].sampleCount = analysis.sampleCount[view];
+  if (kFit != kFitLoose || kSizes != kSizesFixed) plan.views[view].sampleCount = analysis.sampleCount[view];
+  mapTexels[view] = texels;
+}
+
+void main() {
+  const uint view = gl_LocalInvocationID.x;
+  const bool used = view < frame.settings.partitions;
+  const mat4 lightFromWorld = kFit == kFitLoose ? frame.lightFromWorld : analysis.lightFromWorld;
+  if (view == 0) writePlan(frame.settings.partitions, lightFromWorld);
+  if (used) planView(view, lightFromWorld);
+  barrier();
+  if (used) shelve(view);
 }

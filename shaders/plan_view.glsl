@@ -24,14 +24,19 @@ LightBox sampleBox(uint segment) {
   return analysis.sampleCount[segment] == 0 ? LightBox(vec3(1), vec3(-1)) : box;
 }
 
-// Up to the scene's nearest caster: one before the near plane would be clamped to depth 1, and a receiver that bias or
-// its own slope carries there would pass for lit. And as far beyond the box as lookups look.
-LightBox withCasters(LightBox box) {
-  box.high.z = max(box.high.z, frame.lsBoundsMax.z);
+// As far beyond the box as lookups look.
+LightBox withReach(LightBox box) {
   box.low.z = min(box.low.z, frame.settings.lsFar);
   box.low.xy -= frame.settings.lsReach;
   box.high.xy += frame.settings.lsReach;
   return box;
+}
+
+// Up to the scene's nearest caster: one before the near plane would be clamped to depth 1, and a receiver that bias or
+// its own slope carries there would pass for lit.
+LightBox withCasters(LightBox box) {
+  box.high.z = max(box.high.z, frame.lsBoundsMax.z);
+  return withReach(box);
 }
 
 // A texel of border, so that a sample on the rim has a whole texel.

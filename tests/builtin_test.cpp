@@ -70,6 +70,8 @@ TEST(Builtin, TriangleCountsAreNearThoseOfThePapers) {
     return static_cast<double>(makeBuiltin(name)->instancedTriangles());
   };
   EXPECT_NEAR(count("atrium"), 262'000, 2'600);
+  EXPECT_NEAR(count("observatory"), 53'000, 600);
+  EXPECT_NEAR(count("conference"), 126'700, 1'300);
   EXPECT_NEAR(count("trees"), 995'000, 5'000);
   EXPECT_NEAR(count("village"), 226'000, 2'000);
   EXPECT_NEAR(count("city"), 2'300'000, 20'000);
@@ -222,6 +224,8 @@ TEST(Builtin, IsTheSameEachTime) {
 
 TEST(Builtin, IsTheSameOnEveryMachine) {
   EXPECT_EQ(hashOf(*makeBuiltin("atrium")), 2000448353945094322u);
+  EXPECT_EQ(hashOf(*makeBuiltin("observatory")), 10210785139502989333u);
+  EXPECT_EQ(hashOf(*makeBuiltin("conference")), 15616968351507818110u);
   EXPECT_EQ(hashOf(*makeBuiltin("trees")), 5303061929892748117u);
   EXPECT_EQ(hashOf(*makeBuiltin("village")), 16964394244318166693u);
   EXPECT_EQ(hashOf(*makeBuiltin("city")), 11431884775052123394u);
@@ -239,7 +243,8 @@ TEST(Builtin, ParametersAreObeyedAndChecked) {
     EXPECT_EQ(scene.error().code, code);
     EXPECT_NE(scene.error().message.find(words), std::string::npos) << scene.error().message;
   };
-  expectError("sponza", ErrorCode::notFound, "there are: atrium, trees, village, city, knot, grid");
+  expectError("sponza", ErrorCode::notFound,
+              "there are: atrium, observatory, conference, trees, village, city, knot, grid");
   expectError("", ErrorCode::notFound, "atrium");
   expectError("trees?count=0", ErrorCode::invalidArgument, "must be an integer, 1 to 20000");
   expectError("trees?count=", ErrorCode::invalidArgument, "1 to 20000");

@@ -86,13 +86,14 @@ struct Features {
     const char* name;
     VkBool32* flag;
   };
-  std::array<Item, 11> needed() {
+  std::array<Item, 12> needed() {
     return {{{"dynamicRendering", &v13.dynamicRendering},
              {"synchronization2", &v13.synchronization2},
              {"maintenance4", &v13.maintenance4},
              {"scalarBlockLayout", &v12.scalarBlockLayout},
              {"drawIndirectCount", &v12.drawIndirectCount},
              {"depthClamp", &all.features.depthClamp},
+             {"shaderClipDistance", &all.features.shaderClipDistance},
              {"multiDrawIndirect", &all.features.multiDrawIndirect},
              {"drawIndirectFirstInstance", &all.features.drawIndirectFirstInstance},
              {"pipelineStatisticsQuery", &all.features.pipelineStatisticsQuery},

@@ -191,7 +191,7 @@ Pipeline makeGraphicsPipeline(const Device& device, const BindingLayout& layout,
   VkPipelineDepthStencilStateCreateInfo depth{.sType =
                                                   VK_STRUCTURE_TYPE_PIPELINE_DEPTH_STENCIL_STATE_CREATE_INFO};
   depth.depthTestEnable = depth.depthWriteEnable = want.depth;
-  depth.depthCompareOp = VK_COMPARE_OP_GREATER;
+  depth.depthCompareOp = want.depthAlways ? VK_COMPARE_OP_ALWAYS : VK_COMPARE_OP_GREATER;
   VkPipelineColorBlendAttachmentState how{};
   how.colorWriteMask = 0xf;
   if (want.adds) {

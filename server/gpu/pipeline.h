@@ -56,9 +56,10 @@ struct GraphicsPipelineInfo {
   std::vector<VkVertexInputBindingDescription> vertexBindings = {};
   std::vector<VkVertexInputAttributeDescription> vertexAttributes = {};
   std::vector<VkFormat> colourFormats = {};
-  bool depth = false;       // D32, reversed: nearer is greater
-  bool depthClamp = false;  // casters before the near plane are kept, at depth 1
-  bool adds = false;        // fragments add up, instead of the last one staying
+  bool depth = false;        // D32, reversed: nearer is greater
+  bool depthAlways = false;  // drawn over what is there, whatever its depth
+  bool depthClamp = false;   // casters before the near plane are kept, at depth 1
+  bool adds = false;         // fragments add up, instead of the last one staying
   VkSampleCountFlagBits samples = VK_SAMPLE_COUNT_1_BIT;
 };
 // Triangles; viewport, scissor and (VK 1.3) cull mode are dynamic; counter-clockwise seen with y up is the

@@ -82,6 +82,19 @@ void renderOnto(VkCommandBuffer command, const GpuImage& image, const std::funct
   transition(command, image, kColour, kRead);
 }
 
+void renderOntoDepth(VkCommandBuffer command, const GpuImage& depth, const std::function<void()>& draw) {
+  transition(command, depth, kRead, kDepth);
+  VkRenderingAttachmentInfo kept = attachment(depth.view(), kDepth);
+  kept.loadOp = VK_ATTACHMENT_LOAD_OP_LOAD;
+  render(command,
+         {.sType = VK_STRUCTURE_TYPE_RENDERING_INFO,
+          .renderArea = {{0, 0}, depth.extent()},
+          .layerCount = 1,
+          .pDepthAttachment = &kept},
+         draw);
+  transition(command, depth, kDepth, kRead);
+}
+
 void renderNowhere(VkCommandBuffer command, VkExtent2D extent, const std::function<void()>& draw) {
   render(command,
          {.sType = VK_STRUCTURE_TYPE_RENDERING_INFO, .renderArea = {{0, 0}, extent}, .layerCount = 1}, draw);

@@ -3,7 +3,7 @@
 #include <cstring>
 
 #include "gpu/rendering.h"
-#include "shadow/host_cull.h"
+#include "shadow/minimal_frustum.h"
 #include "shadow/plan_settings.h"
 #include "shadow/raster_choice.h"
 #include "shared/bindings.h"
@@ -140,7 +140,12 @@ std::vector<Pass> Frame::passes() {
                 analyze,
                 plan,
                 {.name = "readback", .record = on(&Frame::readPlan)},
-                {.name = "cull", .host = [this] { cullByHost(); }},
+                {.name = "cull",
+                 .host =
+                     [this] {
+                       cullByHost();
+                       fitStore();
+                     }},
                 store,
                 filter,
                 resolve,
@@ -154,8 +159,24 @@ std::vector<Pass> Frame::passes() {
     }
     return {};
   }();
+  if (method_.stages->focus == Focus::calipers)
+    passes.insert(passes.begin(), {.name = "fit", .host = [this] { fit(); }});
   if (!store_->filters()) std::erase_if(passes, [](const Pass& pass) { return pass.name == "filter"; });
   return passes;
+}
+
+// What the camera could see, in the light's frustum.
+void Frame::fit() {
+  if (boxes_.empty() || boxesAt_ != view_.origin) {
+    boxes_.clear();
+    boxesAt_ = view_.origin;
+    const std::vector<WorldBox> all = worldBoxes(view_.scene, view_.origin);
+    for (std::size_t i = 0; i < all.size(); ++i)
+      if (view_.scene.draws()[i].instance != shared::kNoInstance) boxes_.push_back(all[i]);
+  }
+  shared::FrameConstants fitted = constantsOf(view_, method_);
+  fitMinimalFrustum(fitted, boxes_);
+  *constants_.mapped<shared::FrameConstants>() = fitted;
 }
 
 // What the camera sees: the clusters that reach its frustum, their ids and depth, then the view samples.
@@ -171,35 +192,35 @@ void Frame::gbuffer(VkCommandBuffer command) const {
   });
 }
 
-bool Frame::asksSamples() const {
-  return method_.stages->volume == Volume::samples || method_.stages->volume == Volume::inscribed;
-}
-
 // What the view samples say about the volume and its parts; nothing where the host knows the volume, but for
 // where the camera's depth is cut.
 void Frame::analyze(VkCommandBuffer command) const {
   const Stages& stages = *method_.stages;
   analysedAt_ = view_.origin;
   bindings_.bind(command);
-  if (asksSamples()) {
+  if (asksSamples(stages)) {
     const VkBufferCopy axes{offsetof(shared::FrameConstants, lightFromWorld),
                             offsetof(shared::Analysis, lightFromWorld), sizeof(glm::mat4)};
     vkCmdCopyBuffer(command, constants_, analysis_, 1, &axes);
     constexpr VkDeviceSize kOnes = offsetof(shared::Analysis, depthMin),
                            kZeros = offsetof(shared::Analysis, depthMax);
     vkCmdFillBuffer(command, analysis_, kOnes, kZeros - kOnes, 0xffffffffu);
-    vkCmdFillBuffer(command, analysis_, kZeros, sizeof(shared::Analysis) - kZeros, 0);
+    const VkDeviceSize zerosEnd = method_.settings.percentile > 0
+                                      ? sizeof(shared::Analysis)
+                                      : offsetof(shared::Analysis, pixelHistogram);
+    vkCmdFillBuffer(command, analysis_, kZeros, zerosEnd - kZeros, 0);
     barrier(command);
   }
   const std::uint32_t samples = groups(static_cast<std::uint32_t>(pixels(view_)), 64 * 16);
   if (cutsDepth(stages.partition)) {
-    if (asksSamples() && stages.partition != Partition::manual)
+    if (stages.volume == Volume::samples && stages.partition != Partition::manual)
       dispatch(command, pipelines_->analyzeDepths, samples);
     dispatch(command, pipelines_->analyzeSplits, 1);
   }
   const bool tiles = stages.partition == Partition::tiles;
+  const bool estimated = stages.resolution == Resolution::estimated;
   if (tiles && !method_.settings.extent) dispatch(command, pipelines_->analyzeSquare, samples);
-  if (asksSamples() && (tiles || stages.focus != Focus::loose))
+  if (asksSamples(stages) && (tiles || estimated || stages.focus != Focus::loose))
     dispatch(command, pipelines_->analyzeSegments, samples);
   if (tiles && stages.focus == Focus::loose)
     dispatch(command, pipelines_->analyzeCasters, groups(view_.scene.drawCount(), 64));
@@ -228,6 +249,13 @@ void Frame::cullByHost() const {
   cullOnHost(view_.scene, view_.origin, *hostPlan_->mapped<shared::Plan>(),
              {hostCommands_->mapped<shared::DrawCommand>(), views * view_.scene.drawCount()},
              {hostCounts_->mapped<std::uint32_t>(), views * shared::kBuckets});
+}
+
+// Memory for the maps that the plan asks for.
+void Frame::fitStore() {
+  if (method_.stages->resolution != Resolution::estimated) return;
+  store_->fit(*hostPlan_->mapped<shared::Plan>());
+  store_->bindTo(bindings_);
 }
 
 // Which clusters reach each of these views.
@@ -392,8 +420,13 @@ std::uint64_t Frame::storeTexels() const { return store_ ? store_->texels() : 0;
 
 std::uint64_t Frame::storeBytes() const { return store_ ? store_->bytes() : 0; }
 
-std::uint64_t Frame::totalBytes() const {
-  std::uint64_t bytes = storeBytes();
+std::uint64_t Frame::usedStoreBytes(const shared::Plan& plan) const {
+  const bool estimated = method_.stages && method_.stages->resolution == Resolution::estimated;
+  return estimated ? texelsOf(plan) * storeBytes() / storeTexels() : storeBytes();
+}
+
+std::uint64_t Frame::otherBytes() const {
+  std::uint64_t bytes = 0;
   if (volumes_)
     bytes += volumes_->bytes() + view_.edges->bytes() + commands_.size() + visible_.size() + counts_.size();
   if (method_.stages)

@@ -6,6 +6,7 @@
 
 #include "reference/reference.h"
 #include "shadow/frame_pipelines.h"
+#include "shadow/host_cull.h"
 #include "shadow/method.h"
 #include "shadow/scene_buffers.h"
 #include "shadow/shadow_volumes.h"
@@ -61,11 +62,13 @@ class Frame {
 
   shared::Plan downloadPlan() const;          // viewCount 0 for methods without a map
   std::vector<float> downloadDepths() const;  // Store::depths()
-  std::uint64_t storeTexels() const;
+  std::uint64_t storeTexels() const;          // that there is memory for
   std::uint64_t storeBytes() const;
-  std::uint64_t totalBytes() const;  // with the plan, the lists of culling and what analysis needs
+  std::uint64_t usedStoreBytes(const shared::Plan&) const;  // less, where a plan on the device sizes the maps
+  std::uint64_t otherBytes() const;  // the plan, the lists of culling and what analysis needs
 
  private:
+  void fit();
   void gbuffer(VkCommandBuffer) const;
   void analyze(VkCommandBuffer) const;
   void plan(VkCommandBuffer) const;
@@ -73,6 +76,7 @@ class Frame {
   void readPlan(VkCommandBuffer) const;
   void takeHostDraws(VkCommandBuffer) const;
   void cullByHost() const;
+  void fitStore();
   void store(VkCommandBuffer) const;
   bool storeAgain();
   std::vector<Work> storeWork() const;
@@ -86,7 +90,6 @@ class Frame {
   void resolveVolumes(VkCommandBuffer) const;
 
   void bindTo(BindingSet&, const ViewTarget& samples) const;
-  bool asksSamples() const;
   void dispatch(VkCommandBuffer, VkPipeline, std::uint32_t groups) const;
   void drawSlot(VkCommandBuffer, std::uint32_t slot, VkPipeline opaque, VkPipeline masked,
                 bool cullFaces) const;
@@ -102,6 +105,9 @@ class Frame {
   BindingSet bindings_;
   // plan=readback alone: the plan on its way to the host, and what the host leaves of the draws.
   std::optional<Buffer> hostPlan_, hostCommands_, hostCounts_;
+  // focus=calipers alone: the scene's boxes, relative to an origin.
+  std::vector<WorldBox> boxes_;
+  glm::dvec3 boxesAt_{0};
   mutable std::optional<glm::dvec3> analysedAt_;  // the origin of the last analysis that was recorded
   std::optional<ShadowVolumes> volumes_;
   // Ray tracing alone: view samples on their way to the host, visibility on its way back.

@@ -1,5 +1,7 @@
 #include "shadow/frame_pipelines.h"
 
+#include <fmt/format.h>
+
 #include "shadow/plan_settings.h"
 #include "shadow/raster_choice.h"
 #include "shadow/scene_buffers.h"
@@ -29,6 +31,17 @@ GraphicsPipelineInfo storeOf(std::string_view vertex, std::string_view fragment,
   info.depth = true;
   info.depthClamp = true;
   return info;
+}
+
+// Into four samples a texel.
+GraphicsPipelineInfo multisampledOf(std::string_view vertex, std::string_view fragment, bool masked) {
+  GraphicsPipelineInfo info = storeOf(vertex, fragment, masked);
+  info.samples = VK_SAMPLE_COUNT_4_BIT;
+  return info;
+}
+
+GraphicsPipelineInfo clearOf() {
+  return {.vertexShader = "store_clear.vert", .fragmentShader = "", .depth = true, .depthAlways = true};
 }
 
 GraphicsPipelineInfo fullscreenOf(std::string_view fragment, std::vector<VkFormat> formats,
@@ -62,10 +75,17 @@ Specialization splitsConstants(const Stages& stages) {
   return {cutOf(stages.partition), stages.volume == Volume::samples, stages.focus == Focus::snapped};
 }
 
-Specialization segmentsConstants(const Stages& stages) {
-  if (stages.partition == Partition::tiles) return {shared::kSegmentTile};
-  if (stages.partition == Partition::single) return {shared::kSegmentAll};
-  return {stages.focus == Focus::snapped ? shared::kSegmentRadius : shared::kSegmentDepth};
+std::uint32_t sizesOf(const Method& method) {
+  if (method.stages->resolution != Resolution::estimated) return shared::kSizesFixed;
+  return method.settings.percentile > 0 ? shared::kSizesPercentile : shared::kSizesSmallest;
+}
+
+Specialization segmentsConstants(const Method& method) {
+  const Stages& stages = *method.stages;
+  const std::uint32_t sizes = sizesOf(method);
+  if (stages.partition == Partition::tiles) return {shared::kSegmentTile, sizes};
+  if (stages.partition == Partition::single) return {shared::kSegmentAll, sizes};
+  return {stages.focus == Focus::snapped ? shared::kSegmentRadius : shared::kSegmentDepth, sizes};
 }
 
 std::string_view planShader(Partition partition) {
@@ -73,16 +93,23 @@ std::string_view planShader(Partition partition) {
   return partition == Partition::single ? "plan_single.comp" : "plan_splits.comp";
 }
 
-Specialization planConstants(const Stages& stages) {
+Specialization planConstants(const Method& method) {
+  const Stages& stages = *method.stages;
+  const std::uint32_t sizes = sizesOf(method);
   if (stages.partition == Partition::tiles)
     return {stages.focus == Focus::loose   ? shared::kTileCasters
             : stages.focus == Focus::depth ? shared::kTileDepth
                                            : shared::kTileBox,
-            stages.resolution == Resolution::ranked};
-  if (stages.partition == Partition::single) return {stages.volume == Volume::samples};
+            stages.resolution == Resolution::ranked, sizes};
+  if (stages.partition == Partition::single)
+    return {stages.focus == Focus::calipers    ? shared::kOnlyHosts
+            : stages.volume == Volume::samples ? shared::kOnlySamples
+                                               : shared::kOnlyScene,
+            0, sizes};
   return {stages.focus == Focus::loose     ? shared::kFitLoose
           : stages.focus == Focus::snapped ? shared::kFitSnapped
-                                           : shared::kFitSamples};
+                                           : shared::kFitSamples,
+          0, sizes};
 }
 
 std::string_view lookupShader(Lookup lookup) {
@@ -140,27 +167,31 @@ MethodPipelines FramePipelines::of(const Method& method) {
   const Stages& stages = *method.stages;
   const bool histogram = stages.partition == Partition::adaptive || stages.partition == Partition::kmeans;
   MethodPipelines made{
-      .plan = compute(planShader(stages.partition), planConstants(stages)),
+      .plan = compute(planShader(stages.partition), planConstants(method)),
       .store = storeDepth_,
       .storeMasked = storeDepthMasked_,
       .resolve = fullscreen(lookupShader(stages.lookup), VK_FORMAT_R32_SFLOAT, lookupConstants(method)),
       .answers = fullscreen("answers.frag", VK_FORMAT_R32G32B32A32_UINT, lookupConstants(method))};
   // A pipeline that isn't used would still be compiled: a cold start is short of that time.
-  const bool samples = stages.volume == Volume::samples || stages.volume == Volume::inscribed;
+  const bool samples = asksSamples(stages);
   if (cutsDepth(stages.partition)) {
     made.analyzeSplits = compute("analyze_splits.comp", splitsConstants(stages));
-    if (samples)
+    if (stages.volume == Volume::samples)
       made.analyzeDepths = compute("analyze_depths.comp", {histogram, stages.focus == Focus::snapped});
   }
-  if (samples) made.analyzeSegments = compute("analyze_segments.comp", segmentsConstants(stages));
+  if (samples) made.analyzeSegments = compute("analyze_segments.comp", segmentsConstants(method));
   if (stages.partition == Partition::tiles) {
     if (!method.settings.extent) made.analyzeSquare = compute("analyze_square.comp", {});
     if (stages.focus == Focus::loose) made.analyzeCasters = compute("analyze_casters.comp", {});
   }
-  if (stages.storage == Storage::moments) {
+  if (stages.resolution == Resolution::estimated && stages.storage == Storage::depth) {
+    made.store = drawing(storeOf("store_placed.vert", "", false));
+    made.storeMasked = drawing(storeOf("store_placed_masked.vert", "store_depth_masked.frag", true));
+    made.storeClear = drawing(clearOf());
+  } else if (stages.storage == Storage::moments) {
     constexpr VkFormat kMoments = VK_FORMAT_R32G32B32A32_SFLOAT;
-    made.store = multisampled("store_depth.vert", "", false);
-    made.storeMasked = multisampled("store_depth_masked.vert", "store_depth_masked.frag", true);
+    made.store = drawing(multisampledOf("store_depth.vert", "", false));
+    made.storeMasked = drawing(multisampledOf("store_depth_masked.vert", "store_depth_masked.frag", true));
     made.moments = fullscreen("store_moments.frag", kMoments, {});
     made.blurAcross = fullscreen("blur_across.frag", kMoments, {});
     made.blurDown = fullscreen("blur_down.frag", kMoments, {});
@@ -183,41 +214,34 @@ RasterPipelines FramePipelines::raster(const RasterChoice& choice, bool opaque, 
   return made;
 }
 
-VkPipeline FramePipelines::multisampled(std::string_view vertex, std::string_view fragment, bool masked) {
-  const auto [found, added] = variants_.try_emplace({vertex, {}});
-  if (added) {
-    GraphicsPipelineInfo info = storeOf(vertex, fragment, masked);
-    info.samples = VK_SAMPLE_COUNT_4_BIT;
-    found->second = makeGraphicsPipeline(device_, layout, info);
-  }
+VkPipeline FramePipelines::drawing(const GraphicsPipelineInfo& info) {
+  const auto [found, added] =
+      variants_.try_emplace({fmt::format("{} {}", info.vertexShader, info.fragmentShader), {}});
+  if (added) found->second = makeGraphicsPipeline(device_, layout, info);
   return found->second;
 }
 
 VkPipeline FramePipelines::volume(std::string_view vertex) {
-  const auto [found, added] = variants_.try_emplace({vertex, {}});
-  if (added) {
-    GraphicsPipelineInfo info{.vertexShader = vertex,
-                              .fragmentShader = "volume_count.frag",
-                              .colourFormats = {VK_FORMAT_R32_SFLOAT},
-                              .adds = true};
-    if (vertex == "volume_cap.vert") {
-      info.vertexBindings = SceneBuffers::vertexBindings(false);
-      info.vertexAttributes = SceneBuffers::vertexAttributes(true, false);
-    }
-    found->second = makeGraphicsPipeline(device_, layout, info);
+  GraphicsPipelineInfo info{.vertexShader = vertex,
+                            .fragmentShader = "volume_count.frag",
+                            .colourFormats = {VK_FORMAT_R32_SFLOAT},
+                            .adds = true};
+  if (vertex == "volume_cap.vert") {
+    info.vertexBindings = SceneBuffers::vertexBindings(false);
+    info.vertexAttributes = SceneBuffers::vertexAttributes(true, false);
   }
-  return found->second;
+  return drawing(info);
 }
 
 VkPipeline FramePipelines::compute(std::string_view shader, const Specialization& constants) {
-  const auto [found, added] = variants_.try_emplace({shader, constants});
+  const auto [found, added] = variants_.try_emplace({std::string(shader), constants});
   if (added) found->second = makeComputePipeline(device_, layout, shader, constants);
   return found->second;
 }
 
 VkPipeline FramePipelines::fullscreen(std::string_view shader, VkFormat format,
                                       const Specialization& constants) {
-  const auto [found, added] = variants_.try_emplace({shader, constants});
+  const auto [found, added] = variants_.try_emplace({std::string(shader), constants});
   if (added) found->second = makeGraphicsPipeline(device_, layout, fullscreenOf(shader, {format}, constants));
   return found->second;
 }

@@ -15,6 +15,7 @@ namespace sundial {
 struct MethodPipelines {
   VkPipeline plan;
   VkPipeline store, storeMasked;
+  VkPipeline storeClear = VK_NULL_HANDLE;  // resolution=estimated, storage=depth
   VkPipeline resolve, answers;
   // Where samples are asked, depth is cut, or tiles are fitted to casters.
   VkPipeline analyzeSquare = VK_NULL_HANDLE;
@@ -57,12 +58,12 @@ class FramePipelines {
   Pipeline shade, shadePlain;  // plain: a scene without textures and vertex colours
 
  private:
-  // Into four samples a texel.
-  VkPipeline multisampled(std::string_view vertex, std::string_view fragment, bool masked);
+  // Told apart by their shaders alone.
+  VkPipeline drawing(const GraphicsPipelineInfo&);
 
   const Device& device_;
   Pipeline storeDepth_, storeDepthMasked_;
-  std::map<std::pair<std::string_view, Specialization>, Pipeline> variants_;  // by shader
+  std::map<std::pair<std::string, Specialization>, Pipeline> variants_;  // by shader
 };
 
 }  // namespace sundial

@@ -7,14 +7,24 @@ namespace sundial {
 
 namespace {
 
-struct Box {
-  glm::vec3 centre, extent;
-};
+// Left, right, top, bottom, far; casters before the near plane still cast.
+std::array<glm::vec4, 5> planesOf(const glm::mat4& shadowFromWorld) {
+  const glm::mat4 rows = glm::transpose(shadowFromWorld);
+  return {rows[3] + rows[0], rows[3] - rows[0], rows[3] + rows[1], rows[3] - rows[1], rows[2]};
+}
 
-// Of each draw, relative to the origin; as cull_test.comp places them.
-std::vector<Box> boxesOf(const SceneBuffers& buffers, const glm::dvec3& origin) {
+bool reaches(const WorldBox& box, const std::array<glm::vec4, 5>& planes) {
+  return std::ranges::all_of(planes, [&](const glm::vec4& plane) {
+    const glm::vec3 normal(plane);
+    return glm::dot(normal, box.centre) + glm::dot(glm::abs(normal), box.extent) + plane.w >= 0;
+  });
+}
+
+}  // namespace
+
+std::vector<WorldBox> worldBoxes(const SceneBuffers& buffers, const glm::dvec3& origin) {
   const Scene& scene = buffers.scene();
-  std::vector<Box> boxes(buffers.drawCount());
+  std::vector<WorldBox> boxes(buffers.drawCount());
   for (std::uint32_t i = 0; i < buffers.drawCount(); ++i) {
     const shared::Draw draw = buffers.draws()[i];
     if (draw.instance == shared::kNoInstance) continue;
@@ -30,24 +40,9 @@ std::vector<Box> boxesOf(const SceneBuffers& buffers, const glm::dvec3& origin) 
   return boxes;
 }
 
-// Left, right, top, bottom, far; casters before the near plane still cast.
-std::array<glm::vec4, 5> planesOf(const glm::mat4& shadowFromWorld) {
-  const glm::mat4 rows = glm::transpose(shadowFromWorld);
-  return {rows[3] + rows[0], rows[3] - rows[0], rows[3] + rows[1], rows[3] - rows[1], rows[2]};
-}
-
-bool reaches(const Box& box, const std::array<glm::vec4, 5>& planes) {
-  return std::ranges::all_of(planes, [&](const glm::vec4& plane) {
-    const glm::vec3 normal(plane);
-    return glm::dot(normal, box.centre) + glm::dot(glm::abs(normal), box.extent) + plane.w >= 0;
-  });
-}
-
-}  // namespace
-
 void cullOnHost(const SceneBuffers& buffers, const glm::dvec3& origin, const shared::Plan& plan,
                 std::span<shared::DrawCommand> commands, std::span<std::uint32_t> counts) {
-  const std::vector<Box> boxes = boxesOf(buffers, origin);
+  const std::vector<WorldBox> boxes = worldBoxes(buffers, origin);
   std::ranges::fill(counts, 0u);
   for (std::uint32_t view = 0; view < plan.viewCount; ++view) {
     if (plan.views[view].empty != 0) continue;

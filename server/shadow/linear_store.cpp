@@ -8,6 +8,8 @@ namespace sundial {
 
 namespace {
 
+constexpr VkBufferUsageFlags kUsage = VK_BUFFER_USAGE_STORAGE_BUFFER_BIT;
+
 RasterChoice rasterOf(const Stages& stages) {
   return {.ids = stages.storage == Storage::depthId, .coverage = shared::kCoverCentre};
 }
@@ -17,9 +19,10 @@ RasterChoice rasterOf(const Stages& stages) {
 LinearStore::LinearStore(const Device& device, FramePipelines& pipelines, const Method& method,
                          const shared::FrameConstants& constants)
     : device_(device),
+      estimated_(method.stages->resolution == Resolution::estimated),
       texels_(texelsOf(mapSizesOf(method))),
       bytesPerTexel_(linearBytesPerTexel(*method.stages)),
-      maps_(device, texels_ * bytesPerTexel_, VK_BUFFER_USAGE_STORAGE_BUFFER_BIT),
+      maps_(device, texels_ * bytesPerTexel_, kUsage),
       rasteriser_(device, pipelines, rasterOf(*method.stages), shadowViewsOf(method), constants),
       unread_(device, {1, 1}, VK_FORMAT_D32_SFLOAT, VK_IMAGE_USAGE_SAMPLED_BIT),
       nearest_(makeSampler(device, VK_FILTER_NEAREST)) {
@@ -31,6 +34,12 @@ LinearStore::LinearStore(const Device& device, FramePipelines& pipelines, const 
 void LinearStore::record(VkCommandBuffer command, const DrawView&) const {
   vkCmdFillBuffer(command, maps_, 0, VK_WHOLE_SIZE, 0);
   rasteriser_.record(command);
+}
+
+void LinearStore::fit(const shared::Plan& plan) {
+  if (!estimated_ || texelsOf(plan) == texels_) return;
+  texels_ = texelsOf(plan);
+  maps_ = Buffer(device_, texels_ * bytesPerTexel_, kUsage);
 }
 
 bool LinearStore::again() {

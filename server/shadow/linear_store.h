@@ -14,6 +14,7 @@ class LinearStore : public Store {
   void record(VkCommandBuffer, const DrawView& draw) const override;
   bool again() override;
   std::vector<Work> work() const override;
+  void fit(const shared::Plan&) override;
   void bindTo(BindingSet&) const override;
   std::vector<float> depths() const override;
   std::uint64_t texels() const override { return texels_; }
@@ -21,6 +22,7 @@ class LinearStore : public Store {
 
  private:
   const Device& device_;
+  bool estimated_;  // the plan knows the maps' sizes, not the host
   std::uint64_t texels_, bytesPerTexel_;
   Buffer maps_;
   Rasteriser rasteriser_;

@@ -55,6 +55,7 @@ struct Method {
   std::optional<Stages> stages;
   struct Settings {
     unsigned width = 2048, height = 2048;  // texels of every map
+    double percentile = 0;                 // resolution=estimated, of the pixels' sizes, in [0, 50]
     PlanTiming plan = PlanTiming::gpu;
     Raster raster = Raster::automatic;
     unsigned partitions = 1;     // along the camera's depth

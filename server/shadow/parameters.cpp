@@ -35,13 +35,25 @@ const std::vector<Rule>& rules() {
         .min = 16,
         .max = 16384,
         .defaultValue = "2048",
-        .description = "size of every map: a side, or WIDTHxHEIGHT"},
-       [](const Stages& s) { return s.resolution == Resolution::fixed; },
+        .description =
+            "size of every map: a side, or WIDTHxHEIGHT; resolution=estimated: the most that it may be"},
+       [](const Stages& s) { return s.partition != Partition::tiles; },
        [](const std::string& text, Method::Settings& s) {
          const auto [width, height] = sizeIn(text);
          s.width = width;
          s.height = height;
        }},
+      {{.name = "percentile",
+        .kind = Kind::number,
+        .unit = "%",
+        .min = 0,
+        .max = 50,
+        .defaultValue = "0",
+        .description =
+            "share of the pixels that may be smaller than a texel; 0: none, as the paper has it, so that one "
+            "pixel of a grazing surface decides; with resolution=estimated"},
+       [](const Stages& s) { return s.resolution == Resolution::estimated; },
+       [](const std::string& text, Method::Settings& s) { s.percentile = numberIn(text); }},
       {{.name = "bias_texels",
         .kind = Kind::number,
         .unit = "texels",
@@ -165,7 +177,8 @@ const std::vector<Rule>& rules() {
         .defaultValue = "1024:512:512:256:128:128:128:128:64:64:32:32:16:16:16:16",
         .description =
             "a side of each tile, n x n of them; resolution=ranked: falling, the most important tile gets "
-            "the first; listed: tile by tile, a row of light space after another"},
+            "the first; listed: tile by tile, a row of light space after another; estimated: what tiles may "
+            "have together, and the largest at most each"},
        tiles,
        [](const std::string& text, Method::Settings& s) {
          const std::vector<double> sides = listIn(text);

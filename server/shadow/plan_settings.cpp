@@ -25,20 +25,7 @@ dvec3 forwardOf(const shared::FrameConstants& c) {
 void alignWithCamera(shared::FrameConstants& c) {
   const dvec2 along(dmat4(c.lightFromWorld) * dvec4(forwardOf(c), 0));
   if (glm::length(along) < 1e-4) return;
-  const dvec2 x = glm::normalize(along), y(-x.y, x.x);
-  const dmat4 light(c.lightFromWorld);
-  for (int column = 0; column < 4; ++column) {
-    c.lightFromWorld[column].x = static_cast<float>(glm::dot(x, dvec2(light[column])));
-    c.lightFromWorld[column].y = static_cast<float>(glm::dot(y, dvec2(light[column])));
-  }
-  // The box around the turned box.
-  if (c.lsBoundsMin.x > c.lsBoundsMax.x) return;
-  const dvec2 centre = 0.5 * (dvec2(c.lsBoundsMin) + dvec2(c.lsBoundsMax));
-  const dvec2 half = 0.5 * (dvec2(c.lsBoundsMax) - dvec2(c.lsBoundsMin));
-  const dvec2 turned(glm::dot(x, centre), glm::dot(y, centre));
-  const dvec2 reach(glm::dot(glm::abs(x), half), glm::dot(glm::abs(y), half));
-  c.lsBoundsMin = {turned - reach, c.lsBoundsMin.z};
-  c.lsBoundsMax = {turned + reach, c.lsBoundsMax.z};
+  turnLightSpace(c, glm::normalize(along));
 }
 
 // World coordinates of the origin along the axes of light space, modulo the snapping grids' period: in double
@@ -86,6 +73,23 @@ void settleSquare(shared::FrameConstants& c, const Method::Settings& from) {
 }
 
 }  // namespace
+
+void turnLightSpace(shared::FrameConstants& c, const dvec2& axis) {
+  const dvec2 &x = axis, y(-x.y, x.x);
+  const dmat4 light(c.lightFromWorld);
+  for (int column = 0; column < 4; ++column) {
+    c.lightFromWorld[column].x = static_cast<float>(glm::dot(x, dvec2(light[column])));
+    c.lightFromWorld[column].y = static_cast<float>(glm::dot(y, dvec2(light[column])));
+  }
+  // The box around the turned box.
+  if (c.lsBoundsMin.x > c.lsBoundsMax.x) return;
+  const dvec2 centre = 0.5 * (dvec2(c.lsBoundsMin) + dvec2(c.lsBoundsMax));
+  const dvec2 half = 0.5 * (dvec2(c.lsBoundsMax) - dvec2(c.lsBoundsMin));
+  const dvec2 turned(glm::dot(x, centre), glm::dot(y, centre));
+  const dvec2 reach(glm::dot(glm::abs(x), half), glm::dot(glm::abs(y), half));
+  c.lsBoundsMin = {turned - reach, c.lsBoundsMin.z};
+  c.lsBoundsMax = {turned + reach, c.lsBoundsMax.z};
+}
 
 std::uint32_t shadowViewsOf(const Method& method) {
   if (!method.stages) return 0;
@@ -146,6 +150,9 @@ void settle(shared::FrameConstants& c, const Method& method, const dvec3& origin
     c.storeSize = {texelsOf(mapSizesOf(method)), 1};
   else
     c.storeSize = to.mapSize * glm::uvec2(to.mapColumns, (views + to.mapColumns - 1) / to.mapColumns);
+  if (stages.partition == Partition::tiles) to.mapSize = glm::uvec2(std::ranges::max(from.tileSizes));
+  to.smallerShare = static_cast<float>(from.percentile / 100);
+  to.viewport = c.storeSize;
   if (stages.partition != Partition::tiles) return;
   to.tilesPerSide = static_cast<std::uint32_t>(std::lround(std::sqrt(static_cast<double>(views))));
   std::ranges::copy(from.tileSizes, to.tileTexels);

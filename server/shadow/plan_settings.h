@@ -14,6 +14,10 @@ namespace sundial {
 // world.
 void settle(shared::FrameConstants&, const Method&, const glm::dvec3& origin);
 
+// Turns light space about the light: `axis`, a unit vector in it, becomes its x axis. The scene's bounds
+// become the box around what they were.
+void turnLightSpace(shared::FrameConstants&, const glm::dvec2& axis);
+
 // How many shadow views the method's plan has at most.
 std::uint32_t shadowViewsOf(const Method&);
 // Texels of each view's map.

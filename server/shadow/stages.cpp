@@ -28,8 +28,8 @@ const std::array<StageText, 7>& stageTexts() {
       stageText<&Stages::partition>(
           "partition", {"single", "manual", "uniform", "log", "practical", "adaptive", "kmeans", "tiles"}),
       stageText<&Stages::warp>("warp", {"none"}),
-      stageText<&Stages::focus>("focus", {"loose", "depth", "aabb", "aligned", "snapped"}),
-      stageText<&Stages::resolution>("resolution", {"fixed", "ranked", "listed"}),
+      stageText<&Stages::focus>("focus", {"loose", "depth", "aabb", "aligned", "snapped", "calipers"}),
+      stageText<&Stages::resolution>("resolution", {"fixed", "ranked", "listed", "estimated"}),
       stageText<&Stages::storage>("storage", {"depth", "linear", "depth-id", "moments"}),
       stageText<&Stages::lookup>("lookup", {"hard", "pcf", "exact-3x3", "evsm"})};
   return texts;
@@ -75,16 +75,25 @@ std::optional<std::string> whyImpossible(const Stages& stages) {
   if (cutsDepth(stages.partition) && stages.volume == Volume::scene)
     return "a partition along the camera's depth needs to know the camera: use volume=frustum or "
            "volume=samples";
-  if (single && stages.volume == Volume::frustum)
+  const bool calipers = stages.focus == Focus::calipers;
+  if (calipers && (!single || stages.volume != Volume::frustum))
+    return "focus=calipers fits one map to what the camera could see: use volume=frustum with "
+           "partition=single";
+  if (calipers && stages.storage == Storage::moments)
+    return "focus=calipers fits near and far, which all maps of moments share: use focus=aabb with "
+           "storage=moments";
+  if (single && !calipers && stages.volume == Volume::frustum)
     return "volume=frustum is bounded by ranges of depth: use a partition along it, "
-           "partition=log,partitions=1 "
-           "for one map";
+           "or focus=calipers";
   if ((stages.partition == Partition::adaptive || stages.partition == Partition::kmeans) && !samples)
     return "partition=adaptive and partition=kmeans look at the histogram of the view samples: use "
            "volume=samples";
-  if (tiles != (stages.resolution != Resolution::fixed))
+  const bool estimated = stages.resolution == Resolution::estimated;
+  if (!estimated && tiles != (stages.resolution != Resolution::fixed))
     return "tiles, and nothing else, share out a list of sizes: use partition=tiles with resolution=ranked "
            "or listed";
+  if (estimated && stages.storage == Storage::moments)
+    return "moments are kept in layers of one size: use resolution=fixed with storage=moments";
   if (tiles && (stages.storage == Storage::depth || stages.storage == Storage::moments))
     return "tiles of different sizes don't fit an image: use storage=linear or storage=depth-id";
   if (stages.lookup == Lookup::exact3x3 && stages.storage != Storage::depthId)

@@ -13,9 +13,9 @@ namespace sundial {
 enum class Volume { scene, frustum, samples, inscribed };  // which part of light space matters
 // How it is cut up: not at all, along the camera's depth by one of six rules, or into tiles of light space.
 enum class Partition { single, manual, uniform, log, practical, adaptive, kmeans, tiles };
-enum class Warp { none };                                   // how each part is re-parameterised
-enum class Focus { loose, depth, aabb, aligned, snapped };  // how tight each part's frustum is
-enum class Resolution { fixed, ranked, listed };            // how many texels each part gets
+enum class Warp { none };                                             // how each part is re-parameterised
+enum class Focus { loose, depth, aabb, aligned, snapped, calipers };  // how tight each part's frustum is
+enum class Resolution { fixed, ranked, listed, estimated };           // how many texels each part gets
 // What a texel holds, and where; depthId: which triangle's depth it is, too.
 enum class Storage { depth, linear, depthId, moments };
 enum class Lookup { hard, pcf, exact3x3, evsm };  // how a view sample asks
@@ -30,6 +30,11 @@ struct Stages {
   Lookup lookup;
 };
 
+// Whether the plan depends on what the camera sees.
+inline bool asksSamples(const Stages& s) {
+  return s.volume == Volume::samples || s.volume == Volume::inscribed ||
+         s.resolution == Resolution::estimated;
+}
 inline bool cutsDepth(Partition p) { return p != Partition::single && p != Partition::tiles; }
 
 // "volume", ... in the order of execution.

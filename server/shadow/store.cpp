@@ -24,6 +24,13 @@ std::vector<VkRect2D> mapsOf(const Method& method) {
   return maps;
 }
 
+std::uint64_t texelsOf(const shared::Plan& plan) {
+  std::uint64_t texels = 0;
+  for (std::uint32_t view = 0; view < plan.viewCount; ++view)
+    texels += std::uint64_t{plan.views[view].rectSize.x} * plan.views[view].rectSize.y;
+  return texels;
+}
+
 std::optional<std::string> whyTooLarge(const Method& method, const Device& device) {
   if (!method.stages) return std::nullopt;
   const std::uint64_t views = shadowViewsOf(method);
@@ -62,7 +69,7 @@ std::unique_ptr<Store> makeStore(const Device& device, FramePipelines& pipelines
   if (isLinear(method)) return std::make_unique<LinearStore>(device, pipelines, method, constants);
   if (method.stages->storage == Storage::moments)
     return std::make_unique<MomentStore>(device, pipelines, method, constants);
-  return std::make_unique<DepthStore>(device, method, constants);
+  return std::make_unique<DepthStore>(device, pipelines, method, constants);
 }
 
 void drawMaps(VkCommandBuffer command, const std::vector<VkRect2D>& maps, const Store::DrawView& draw) {
@@ -78,6 +85,15 @@ void drawMaps(VkCommandBuffer command, const std::vector<VkRect2D>& maps, const 
     vkCmdSetScissor(command, 0, 1, &map);
     draw(view);
   }
+}
+
+void drawPlaced(VkCommandBuffer command, const glm::uvec2& viewport, VkExtent2D extent, std::uint32_t views,
+                const Store::DrawView& draw) {
+  const VkViewport all{0, 0, static_cast<float>(viewport.x), static_cast<float>(viewport.y), 0, 1};
+  const VkRect2D inside{{0, 0}, extent};
+  vkCmdSetViewport(command, 0, 1, &all);
+  vkCmdSetScissor(command, 0, 1, &inside);
+  for (std::uint32_t view = 0; view < views; ++view) draw(view);
 }
 
 void bindNoStore(BindingSet& bindings, const GpuImage& unread, VkSampler sampler, const Buffer& unreadToo) {

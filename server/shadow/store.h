@@ -38,11 +38,13 @@ class Store {
   // Makes lookups of drawn maps smoother, in a pass of its own.
   virtual bool filters() const { return false; }
   virtual void filter(VkCommandBuffer) const {}
+  // Takes the memory that this plan needs, where sizes are the plan's: what was bound before is gone.
+  virtual void fit(const shared::Plan&) {}
   virtual void bindTo(BindingSet&) const = 0;
   // The depths of all maps as they lie in the store: texel by texel of answers.frag. Empty where it holds
   // none.
   virtual std::vector<float> depths() const { return {}; }
-  virtual std::uint64_t texels() const = 0;  // of all maps
+  virtual std::uint64_t texels() const = 0;  // that there is memory for
   virtual std::uint64_t bytes() const = 0;   // of memory
 };
 
@@ -53,8 +55,12 @@ std::unique_ptr<Store> makeStore(const Device&, FramePipelines&, const Method&,
 // Where each view's map lies in an image that holds all, mapColumnsOf() in a row; in a buffer each begins at
 // 0, 0.
 std::vector<VkRect2D> mapsOf(const Method&);
+std::uint64_t texelsOf(const shared::Plan&);
 // Draws each view into its map.
 void drawMaps(VkCommandBuffer, const std::vector<VkRect2D>& maps, const Store::DrawView& draw);
+// The same where maps are parts of one viewport that the plan knows: nothing is drawn beside `extent`.
+void drawPlaced(VkCommandBuffer, const glm::uvec2& viewport, VkExtent2D extent, std::uint32_t views,
+                const Store::DrawView& draw);
 
 // What a store, or a frame without one, has nothing for: see BindingSet.
 void bindNoStore(BindingSet&, const GpuImage& unread, VkSampler, const Buffer& unreadToo);

@@ -13,11 +13,18 @@ SUNDIAL_CONST kCutManual = 0u, kCutUniform = 1u, kCutLog = 2u, kCutPractical = 3
 // Which part of the plan a view sample belongs to: segments.glsl.
 SUNDIAL_CONST kSegmentAll = 0u, kSegmentDepth = 1u, kSegmentRadius = 2u, kSegmentTile = 3u;
 
+// What the only view's box is: the scene's, the samples', or what the host found: plan_single.comp.
+SUNDIAL_CONST kOnlyScene = 0u, kOnlySamples = 1u, kOnlyHosts = 2u;
+
 // What a partition's box is fitted to: plan_splits.comp.
 SUNDIAL_CONST kFitLoose = 0u, kFitSamples = 1u, kFitSnapped = 2u;
 
 // What a tile is fitted to, casters' bounds in depth, samples in depth, or samples on all sides: plan_tiles.comp.
 SUNDIAL_CONST kTileCasters = 0u, kTileDepth = 1u, kTileBox = 2u;
+
+// How large maps are: as the method says, or from the smallest or a percentile of the pixels' sizes:
+// analyze_segments.comp, estimate.glsl.
+SUNDIAL_CONST kSizesFixed = 0u, kSizesSmallest = 1u, kSizesPercentile = 2u;
 
 // Which view answers a sample: choose_view.glsl.
 SUNDIAL_CONST kChooseOnly = 0u, kChooseDepth = 1u, kChooseRadius = 2u, kChooseTightest = 3u, kChooseTile = 4u;

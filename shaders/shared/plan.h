@@ -76,10 +76,21 @@ struct PlanSettings {
   float lsFar;
   float lsReach;
   float rimTexels;  // about a map, where lookups would look beyond it
+  // resolution=estimated: the share of samples whose pixels may be smaller than a texel, and the size of the
+  // picture that a view's map is drawn as a part of, texels.
+  float smallerShare;
+  uvec2 viewport;
+  // focus=calipers: what the host found, light space after division; low above high where there is nothing.
+  vec3 lsFitMin;
+  vec3 lsFitMax;
 };
 SUNDIAL_CONST kSnapPeriod = 4096u;  // metres, the coarsest texel of focus=snapped
 
 SUNDIAL_CONST kDepthBins = 512u;
+// Sizes of pixels in light space, kSizeBinsPerOctave to a doubling, from 2^-kSizeOctavesBelow.
+SUNDIAL_CONST kSizeBins = 512u;
+SUNDIAL_CONST kSizeBinsPerOctave = 12u;
+SUNDIAL_CONST kSizeOctavesBelow = 26u;
 
 // What the analysis of the view samples found: floats in an order-preserving code, so that integer atomics
 // reduce them and the result depends on no order. A segment is a partition or a tile; without either there is
@@ -90,6 +101,7 @@ struct Analysis {
   // From here on cleared to ones,
   uint depthMin;  // 0xffffffff: no sample
   uint lsMin[3 * kMaxShadowViews];
+  uint lsPixelMin[2 * kMaxShadowViews];  // the smallest pixel's width and height (resolution=estimated)
   // and from here on to zeros.
   uint depthMax;
   uint lsSquareSide;  // bits of a float: what holds all samples (volume=inscribed)
@@ -97,6 +109,7 @@ struct Analysis {
   uint sampleCount[kMaxShadowViews];
   uint importance[kMaxShadowViews];
   uint depthHistogram[kDepthBins];  // samples, over the logarithm of depth from depthNear to depthFar
+  uint pixelHistogram[2 * kMaxShadowViews * kSizeBins];  // samples, over their pixels' width, then height
 };
 
 SUNDIAL_SHARED_END

@@ -45,12 +45,6 @@ Paints addPaints(SceneBuilder& b) {
                     addColour(b, "blue curtain", {0.04f, 0.09f, 0.36f}, true)}};
 }
 
-std::uint32_t addMesh(SceneBuilder& builder, std::string name, Shape shape, std::uint32_t material) {
-  std::vector<Primitive> primitives;
-  primitives.push_back(std::move(shape).take(material));
-  return builder.addMesh(std::move(name), std::move(primitives));
-}
-
 std::uint32_t addMesh(SceneBuilder& builder, std::string name, Shape a, std::uint32_t materialA, Shape b,
                       std::uint32_t materialB) {
   std::vector<Primitive> primitives;

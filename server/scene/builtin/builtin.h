@@ -27,7 +27,7 @@ struct Row {
   void (*make)(SceneBuilder&, const Values&);
 };
 
-extern const Row kAtrium, kTrees, kVillage, kCity, kKnot, kGrid;
+extern const Row kAtrium, kObservatory, kConference, kTrees, kVillage, kCity, kKnot, kGrid;
 
 // Pieces that several scenes share.
 std::uint32_t addColour(SceneBuilder&, std::string name, const glm::vec3& linear, bool doubleSided = false);

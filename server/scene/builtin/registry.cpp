@@ -16,7 +16,8 @@ namespace builtin {
 
 namespace {
 
-constexpr std::array<const Row*, 6> kRows{&kAtrium, &kTrees, &kVillage, &kCity, &kKnot, &kGrid};
+constexpr std::array<const Row*, 8> kRows{&kAtrium,  &kObservatory, &kConference, &kTrees,
+                                          &kVillage, &kCity,        &kKnot,       &kGrid};
 
 std::string described(const Row& row) {
   std::vector<std::string> ranges;

@@ -90,6 +90,12 @@ Primitive Shape::take(std::uint32_t material) && {
   return std::move(primitive_);
 }
 
+std::uint32_t addMesh(SceneBuilder& builder, std::string name, Shape shape, std::uint32_t material) {
+  std::vector<Primitive> primitives;
+  primitives.push_back(std::move(shape).take(material));
+  return builder.addMesh(std::move(name), std::move(primitives));
+}
+
 glm::dmat4 translation(const glm::dvec3& t) {
   glm::dmat4 m(1);
   m[3] = glm::dvec4(t, 1);

@@ -55,6 +55,9 @@ class Shape {
   std::optional<std::uint32_t> colour_;  // RGBA8; without one there are no vertex colours at all
 };
 
+// A mesh of one primitive.
+std::uint32_t addMesh(SceneBuilder&, std::string name, Shape, std::uint32_t material);
+
 glm::dmat4 translation(const glm::dvec3&);
 glm::dmat4 turnedY(double turns);  // counter-clockwise seen from above
 glm::dmat4 turnedZ(double turns);

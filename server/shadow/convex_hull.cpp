@@ -1,0 +1,70 @@
+#include "shadow/convex_hull.h"
+
+#include <algorithm>
+
+namespace sundial {
+
+namespace {
+
+using glm::dvec2;
+
+double cross(const dvec2& a, const dvec2& b) { return a.x * b.y - a.y * b.x; }
+dvec2 turned(const dvec2& v) { return {-v.y, v.x}; }
+
+// Adds a point to a chain that turns left, in which points that no longer do are left out.
+void extend(std::vector<dvec2>& chain, std::size_t first, const dvec2& p) {
+  while (chain.size() >= first + 2 &&
+         cross(chain.back() - chain[chain.size() - 2], p - chain[chain.size() - 2]) <= 0)
+    chain.pop_back();
+  chain.push_back(p);
+}
+
+}  // namespace
+
+std::vector<dvec2> convexHull(std::span<const dvec2> points) {
+  std::vector<dvec2> sorted(points.begin(), points.end());
+  std::ranges::sort(sorted,
+                    [](const dvec2& a, const dvec2& b) { return a.x != b.x ? a.x < b.x : a.y < b.y; });
+  const auto repeated = std::ranges::unique(sorted);
+  sorted.erase(repeated.begin(), repeated.end());
+  if (sorted.size() < 3) return sorted;
+
+  std::vector<dvec2> hull;
+  for (const dvec2& p : sorted) extend(hull, 0, p);
+  const std::size_t right = hull.size() - 1;
+  for (std::size_t i = sorted.size() - 1; i-- > 0;) extend(hull, right, sorted[i]);
+  hull.pop_back();  // the first one again
+  return hull;
+}
+
+Rectangle smallestRectangle(std::span<const dvec2> hull) {
+  const std::size_t n = hull.size();
+  if (n == 0) return {};
+  if (n == 1) return {{1, 0}, hull[0], hull[0]};
+
+  Rectangle best;
+  std::size_t right = 0, top = 0, left = 0;
+  for (std::size_t i = 0; i < n; ++i) {
+    const dvec2 u = glm::normalize(hull[(i + 1) % n] - hull[i]), v = turned(u);
+    // Each caliper moves on while the next corner lies farther in its direction.
+    const auto moveOn = [&](std::size_t& at, const dvec2& direction) {
+      for (std::size_t steps = 0; steps < n; ++steps) {
+        if (glm::dot(hull[(at + 1) % n] - hull[at], direction) <= 0) break;
+        at = (at + 1) % n;
+      }
+    };
+    if (i == 0) right = 1;
+    moveOn(right, u);
+    if (i == 0) top = right;
+    moveOn(top, v);
+    if (i == 0) left = top;
+    moveOn(left, -u);
+    const Rectangle around{u,
+                           {glm::dot(hull[left], u), glm::dot(hull[i], v)},
+                           {glm::dot(hull[right], u), glm::dot(hull[top], v)}};
+    if (best.empty() || around.area() < best.area()) best = around;
+  }
+  return best;
+}
+
+}  // namespace sundial

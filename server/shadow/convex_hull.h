@@ -1,0 +1,25 @@
+// Convex polygons of the plane: the hull of points, and the smallest rectangle around one.
+#pragma once
+
+#include <glm/glm.hpp>
+#include <span>
+#include <vector>
+
+namespace sundial {
+
+// The corners of the points' hull, counter-clockwise, without repetitions and without points on its sides:
+// none, one or two where the points have no area. By monotone chains [Andrew 1979].
+std::vector<glm::dvec2> convexHull(std::span<const glm::dvec2> points);
+
+struct Rectangle {
+  glm::dvec2 axis{1, 0};                // unit: the direction of its first side
+  glm::dvec2 low{1e300}, high{-1e300};  // along the axis, and across it (the axis turned by 90 degrees)
+  bool empty() const { return low.x > high.x; }
+  double area() const { return (high.x - low.x) * (high.y - low.y); }
+};
+
+// Of least area around a hull as convexHull() gives it; one of its sides lies on one of the hull's. Four
+// calipers turn around the hull once [Toussaint 1983].
+Rectangle smallestRectangle(std::span<const glm::dvec2> hull);
+
+}  // namespace sundial

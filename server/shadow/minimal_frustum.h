@@ -1,0 +1,18 @@
+// focus=calipers: the smallest frustum of the light that holds what the camera could see of the scene, found
+// on the host, without looking at samples [NOTW, section 3.2].
+#pragma once
+
+#include <span>
+
+#include "shadow/host_cull.h"
+#include "shared/frame.h"
+
+namespace sundial {
+
+// Turns light space about the light, and sets what of it the map covers (PlanSettings::lsFitMin, lsFitMax):
+// the smallest rectangle around the hull of all clusters' boxes, as far as they lie in the camera's frustum
+// and in the light's; in depth from the nearest box above that rectangle to the farthest point of the hull.
+// `boxes` are the clusters', relative to the frame's origin.
+void fitMinimalFrustum(shared::FrameConstants&, std::span<const WorldBox> boxes);
+
+}  // namespace sundial

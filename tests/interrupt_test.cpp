@@ -4,6 +4,7 @@
 
 #include "shadow/camera.h"
 #include "shadow/frame_runner.h"
+#include "shadow/shadow_volumes.h"
 #include "support/rendering.h"
 
 namespace sundial::test {
@@ -100,6 +101,7 @@ TEST_F(Interrupted, EveryMethodsFrameStopsAfterAnyOfItsPassesAndRunsAgainWhole) 
   const ViewTarget target(device(), size);
   SceneBuffers buffers(device(), scene);
   const Reference reference(scene);
+  const EdgeBuffers edges(device(), buffers);
   const View eye = viewOf(*scene, "main");
   const Light light = lightOf(*scene, "sun");
   const glm::dvec3 origin = frameOrigin(*scene, eye);
@@ -109,6 +111,7 @@ TEST_F(Interrupted, EveryMethodsFrameStopsAfterAnyOfItsPassesAndRunsAgainWhole) 
                        .scene = buffers,
                        .target = target,
                        .reference = &reference,
+                       .edges = &edges,
                        .light = light,
                        .origin = origin,
                        .constants = frameConstants(*scene, eye, light, size, origin)};

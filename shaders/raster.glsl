@@ -162,19 +162,51 @@ bool isHoleAt(Varying v, ivec2 texel, uint material) {
   return isHole(materials[material], a.xy / a.w, vec4(1, 1, 1, a.z / a.w));
 }
 
+// The covered texels of a row, counted from the one that `at` belongs to: [x, y), within [0, texels).
+ivec2 spanOf(ivec3 at, ivec3 right, vec3 perRight, int texels) {
+  ivec2 span = ivec2(0, texels);
+  for (int i = 0; i < 3; ++i) {
+    // By a division of floats, which is nearly right, and one step.
+    int edge = int(clamp(-float(at[i]) * perRight[i], -1.0, float(texels)));
+    if (right[i] > 0) {
+      edge += at[i] + right[i] * edge < 0 ? 1 : 0;
+      edge += at[i] + right[i] * edge < 0 ? 1 : 0;
+      span.x = max(span.x, edge);
+    } else if (right[i] < 0) {
+      edge += at[i] + right[i] * edge >= 0 ? 1 : 0;
+      edge += at[i] + right[i] * edge >= 0 ? 1 : 0;
+      span.y = min(span.y, edge);
+    } else if (at[i] < 0) {
+      span.y = 0;
+    }
+  }
+  return span;
+}
+
 // The covered texels of a box; `e` is at its first.
 void fill(uint view, uint id, Edges e, Varying v, ivec4 box, uint material) {
   const uint pitch = plan.views[view].rectSize.x;
-  uint row = plan.views[view].linearOffset + uint(box.y) * pitch;
-  for (int y = box.y; y <= box.w; ++y) {
-    ivec3 at = e.at;
-    for (int x = box.x; x <= box.z; ++x) {
-      if ((at.x | at.y | at.z) >= 0 && !(kMasked && isHoleAt(v, ivec2(x, y), material)))
-        keep(row + uint(x), depthIn(v, ivec2(x, y)), id);
-      at += e.right;
+  const int width = box.z - box.x + 1;
+  const vec3 perRight = 1 / vec3(e.right);
+  ivec2 texel = ivec2(0, box.y - 1);
+  int end = 0;
+  uint row = plan.views[view].linearOffset + uint(texel.y) * pitch + uint(box.x);
+  e.at -= e.down;
+  for (;;) {
+    if (texel.x >= end) {
+      ++texel.y;
+      row += pitch;
+      e.at += e.down;
+      const ivec2 span = spanOf(e.at, e.right, perRight, width);
+      texel.x = span.x;
+      end = span.y;
     }
-    e.at += e.down;
-    row += pitch;
+    if (texel.y > box.w) break;
+    if (texel.x < end) {
+      const ivec2 place = ivec2(box.x + texel.x, texel.y);
+      if (!(kMasked && isHoleAt(v, place, material))) keep(row + uint(texel.x), depthIn(v, place), id);
+      ++texel.x;
+    }
   }
 }
 

@@ -10,7 +10,7 @@ SUNDIAL_SHARED_BEGIN
 SUNDIAL_CONST kSubTexels = 256u;  // steps of the grid that vertices lie on, to a texel
 // A triangle whose box has at most this many texels a side is drawn by one invocation; larger ones are cut into areas,
 // a workgroup each, and those into blocks, an invocation each.
-SUNDIAL_CONST kSmallSide = 32u;
+SUNDIAL_CONST kSmallSide = 64u;
 SUNDIAL_CONST kBlockSide = 16u;
 SUNDIAL_CONST kBlocksAcross = 8u;
 SUNDIAL_CONST kAreaSide = kBlockSide * kBlocksAcross;

@@ -25,6 +25,7 @@ layout(set = 0, binding = kBindEdges) uniform usamplerBuffer edgeTexels;
 layout(set = 0, binding = kBindEdgeSides) uniform usamplerBuffer edgeSideTexels;
 layout(set = 0, binding = kBindClusterEdges) uniform usamplerBuffer clusterEdgeTexels;
 layout(set = 0, binding = kBindPlanes) uniform samplerBuffer planeTexels;
+layout(set = 0, binding = kBindLinearTexels) uniform usamplerBuffer linearTexels;
 layout(set = 0, binding = kBindTextures) uniform sampler2DArray textures;
 layout(set = 0, binding = kBindDepth) uniform sampler2D gbufferDepth;
 layout(set = 0, binding = kBindIds) uniform usampler2D gbufferIds;

@@ -3,6 +3,10 @@
 #define SUNDIAL_KEEP_GLSL
 #include "bindings.glsl"
 
-void keep(uint index, float depth, uint id) { atomicMax(linearStore[index], floatBitsToUint(depth)); }
+void keep(uint index, float depth, uint id) {
+  const uint bits = floatBitsToUint(depth);
+  // What is read may be old, so it may only be too far.
+  if (texelFetch(linearTexels, int(index)).x < bits) atomicMax(linearStore[index], bits);
+}
 
 #endif

@@ -9,7 +9,9 @@
 layout(set = 0, binding = kBindLinear, scalar) buffer LinearIdBlock { uint64_t linearIds[]; };
 
 void keep(uint index, float depth, uint id) {
-  atomicMax(linearIds[index], packUint2x32(uvec2(id, floatBitsToUint(depth))));
+  const uint bits = floatBitsToUint(depth);
+  // What is read may be old, so it may only be too far.
+  if (texelFetch(linearTexels, int(index)).y <= bits) atomicMax(linearIds[index], packUint2x32(uvec2(id, bits)));
 }
 
 #endif

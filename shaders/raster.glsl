@@ -183,6 +183,18 @@ ivec2 spanOf(ivec3 at, ivec3 right, vec3 perRight, int texels) {
   return span;
 }
 
+void fillTexel(uint view, uint id, uint index, ivec2 texel, Varying v, uint material) {
+  if (!(kMasked && isHoleAt(v, texel, material))) keep(index, depthIn(v, texel), id);
+}
+
+// Part of a row, counted from a texel.
+void fillSpan(uint view, uint id, ivec2 texel, ivec2 span, Varying v, uint material) {
+  const uint index =
+      plan.views[view].linearOffset + uint(texel.y) * plan.views[view].rectSize.x + uint(texel.x);
+  for (int x = span.x; x < span.y; ++x)
+    fillTexel(view, id, index + uint(x), ivec2(texel.x + x, texel.y), v, material);
+}
+
 // The covered texels of a box; `e` is at its first.
 void fill(uint view, uint id, Edges e, Varying v, ivec4 box, uint material) {
   const uint pitch = plan.views[view].rectSize.x;
@@ -203,8 +215,7 @@ void fill(uint view, uint id, Edges e, Varying v, ivec4 box, uint material) {
     }
     if (texel.y > box.w) break;
     if (texel.x < end) {
-      const ivec2 place = ivec2(box.x + texel.x, texel.y);
-      if (!(kMasked && isHoleAt(v, place, material))) keep(row + uint(texel.x), depthIn(v, place), id);
+      fillTexel(view, id, row + uint(texel.x), ivec2(box.x + texel.x, texel.y), v, material);
       ++texel.x;
     }
   }

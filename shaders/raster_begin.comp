@@ -15,10 +15,10 @@ void main() {
   if (view != 0) return;
   for (uint kind = 0; kind < kRasterKinds; ++kind) {
     raster.listed[kind] = DispatchCommand(0, 1, 1);
-    raster.areas[kind] = DispatchCommand(0, 0, 1);
+    raster.bands[kind] = DispatchCommand(0, 0, 1);
     raster.listedCount[kind] = 0;
     raster.partCount[kind] = 0;
-    raster.areaCount[kind] = 0;
+    raster.bandCount[kind] = 0;
   }
   raster.triangles = 0;
 }

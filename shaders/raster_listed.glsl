@@ -1,5 +1,5 @@
 // The second round: listed triangles, an invocation each. Clipped at the sides of the map, as lavapipe's pipeline clips
-// them, they fall into up to five parts; small parts are drawn at once, large ones are cut into areas.
+// them, they fall into up to five parts; small parts are drawn at once, large ones are cut into bands.
 #include "raster.glsl"
 
 layout(local_size_x = 64) in;
@@ -62,11 +62,11 @@ bool turnsBack(ivec2 p[3]) {
   return scaledSum(along.x, across.y, -along.y, across.x, 0) < 0;
 }
 
-void cutIntoAreas(uint view, uint id, ivec2 grid[3], Varying v, ivec4 box) {
+void cutIntoBands(uint view, uint id, ivec2 grid[3], Varying v, ivec4 box) {
   const uint part = atomicAdd(raster.partCount[kKind], 1);
-  const uvec2 size = uvec2(box.zw - box.xy) / kAreaSide + 1;
-  const uint first = atomicAdd(raster.areaCount[kKind], size.x * size.y);
-  if (part >= push.partRoom || first + size.x * size.y > push.areaRoom) return;
+  const uint count = uint(box.w - box.y) / kBandRows + 1;
+  const uint first = atomicAdd(raster.bandCount[kKind], count);
+  if (part >= push.partRoom || first + count > push.bandRoom) return;
   RasterPart record;
   record.view = view;
   record.id = id;
@@ -77,12 +77,10 @@ void cutIntoAreas(uint view, uint id, ivec2 grid[3], Varying v, ivec4 box) {
   record.depthRange = v.depthRange;
   if (kMasked) record.attributes = vec4[3](v.attributes, v.attributesRight, v.attributesDown);
   parts[kKind * push.partRoom + part] = record;
-  uint area = first;
-  for (uint y = 0; y < size.y; ++y)
-    for (uint x = 0; x < size.x; ++x) areas[kKind * push.areaRoom + area++] = RasterArea(part, y << 16 | x);
-  const uint last = first + size.x * size.y - 1;
-  atomicMax(raster.areas[kKind].x, min(last + 1, kWorkgroupsInRow));
-  atomicMax(raster.areas[kKind].y, last / kWorkgroupsInRow + 1);
+  for (uint i = 0; i < count; ++i) bands[kKind * push.bandRoom + first + i] = RasterBand(part, i);
+  const uint last = first + count - 1;
+  atomicMax(raster.bands[kKind].x, min(last + 1, kWorkgroupsInRow));
+  atomicMax(raster.bands[kKind].y, last / kWorkgroupsInRow + 1);
 }
 
 void drawPart(uint view, uint id, Corner a, Corner b, Corner c, uint material) {
@@ -101,7 +99,7 @@ void drawPart(uint view, uint id, Corner a, Corner b, Corner c, uint material) {
   if (all(lessThan(box.zw - box.xy, ivec2(kSmallSide))))
     fill(view, id, edgesNear(grid, box.xy), v, box, material);
   else
-    cutIntoAreas(view, id, grid, v, box);
+    cutIntoBands(view, id, grid, v, box);
 }
 
 void main() {

@@ -8,6 +8,6 @@ layout(push_constant, scalar) uniform Push { RasterPush push; };
 layout(set = 0, binding = kBindRaster, scalar) buffer RasterBlock { RasterState raster; };
 layout(set = 0, binding = kBindListed, scalar) buffer ListedBlock { ListedTriangle listed[]; };
 layout(set = 0, binding = kBindParts, scalar) buffer PartBlock { RasterPart parts[]; };
-layout(set = 0, binding = kBindAreas, scalar) buffer AreaBlock { RasterArea areas[]; };
+layout(set = 0, binding = kBindBands, scalar) buffer BandBlock { RasterBand bands[]; };
 
 #endif

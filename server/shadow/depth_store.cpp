@@ -16,7 +16,7 @@ DepthStore::DepthStore(const Device& device, FramePipelines& pipelines, const Me
       maps_(mapsOf(method)),
       texels_(texelsOf(mapSizesOf(method))),
       viewport_(constants.settings.viewport),
-      unread_(device, 0, VK_BUFFER_USAGE_STORAGE_BUFFER_BIT),
+      unread_(unreadBuffer(device)),
       nearest_(makeSampler(device, VK_FILTER_NEAREST)) {
   make({constants.storeSize.x, constants.storeSize.y});
 }

@@ -27,7 +27,7 @@ class DepthStore : public Store {
   std::uint64_t texels_;        // of those
   glm::uvec2 viewport_;
   GpuImage image_;
-  Buffer unread_;
+  TexelBuffer unread_;
   Sampler nearest_;
 };
 

@@ -60,6 +60,7 @@ Frame::Frame(const FrameView& view, const Method& method)
                kStorage),
       counts_(view.device, (1 + shadowViews_) * shared::kBuckets * sizeof(std::uint32_t), kIndirect),
       nearest_(makeSampler(view.device, VK_FILTER_NEAREST)),
+      unread_(unreadBuffer(view.device)),
       bindings_(view.device, view.pipelines.layout) {
   const shared::FrameConstants constants = constantsOf(view, method_);
   *constants_.mapped<shared::FrameConstants>() = constants;
@@ -95,7 +96,7 @@ void Frame::bindTo(BindingSet& bindings, const ViewTarget& samples) const {
   bindings.set(shared::kBindSilhouette, analysis_);
   if (volumes_) return volumes_->bindTo(bindings);
   if (store_) return store_->bindTo(bindings);
-  bindNoStore(bindings, samples.visibility, nearest_, plan_);
+  bindNoStore(bindings, samples.visibility, nearest_, unread_);
 }
 
 void Frame::look(const FrameView& view) {

@@ -102,6 +102,7 @@ class Frame {
   Buffer constants_, analysis_, plan_, commands_, visible_, counts_;
   std::unique_ptr<Store> store_;  // with a map
   Sampler nearest_;
+  TexelBuffer unread_;
   BindingSet bindings_;
   // plan=readback alone: the plan on its way to the host, and what the host leaves of the draws.
   std::optional<Buffer> hostPlan_, hostCommands_, hostCounts_;

@@ -209,7 +209,7 @@ RasterPipelines FramePipelines::raster(const RasterChoice& choice, bool opaque, 
     };
     made.kinds[isMasked] = {.clusters = round("raster_clusters.comp", "raster_clusters_id.comp"),
                             .listed = round("raster_listed.comp", "raster_listed_id.comp"),
-                            .areas = round("raster_areas.comp", "raster_areas_id.comp")};
+                            .bands = round("raster_bands.comp", "raster_bands_id.comp")};
   }
   return made;
 }

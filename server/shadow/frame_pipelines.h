@@ -34,7 +34,7 @@ struct RasterChoice {
 // Its rounds, for opaque and for masked triangles.
 struct RasterPipelines {
   struct Kind {
-    VkPipeline clusters = VK_NULL_HANDLE, listed = VK_NULL_HANDLE, areas = VK_NULL_HANDLE;
+    VkPipeline clusters = VK_NULL_HANDLE, listed = VK_NULL_HANDLE, bands = VK_NULL_HANDLE;
   };
   VkPipeline begin = VK_NULL_HANDLE;
   std::array<Kind, shared::kRasterKinds> kinds{};

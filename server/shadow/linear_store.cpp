@@ -8,7 +8,13 @@ namespace sundial {
 
 namespace {
 
-constexpr VkBufferUsageFlags kUsage = VK_BUFFER_USAGE_STORAGE_BUFFER_BIT;
+TexelBuffer makeMaps(const Device& device, std::uint64_t texels, std::uint64_t bytesPerTexel) {
+  return {device,
+          Buffer(device, texels * bytesPerTexel,
+                 VK_BUFFER_USAGE_STORAGE_BUFFER_BIT | VK_BUFFER_USAGE_UNIFORM_TEXEL_BUFFER_BIT),
+          bytesPerTexel == 4 ? VK_FORMAT_R32_UINT : VK_FORMAT_R32G32_UINT,
+          static_cast<std::uint32_t>(bytesPerTexel)};
+}
 
 RasterChoice rasterOf(const Stages& stages) {
   return {.ids = stages.storage == Storage::depthId, .coverage = shared::kCoverCentre};
@@ -22,7 +28,7 @@ LinearStore::LinearStore(const Device& device, FramePipelines& pipelines, const 
       estimated_(method.stages->resolution == Resolution::estimated),
       texels_(texelsOf(mapSizesOf(method))),
       bytesPerTexel_(linearBytesPerTexel(*method.stages)),
-      maps_(device, texels_ * bytesPerTexel_, kUsage),
+      maps_(makeMaps(device, texels_, bytesPerTexel_)),
       rasteriser_(device, pipelines, rasterOf(*method.stages), shadowViewsOf(method), constants),
       unread_(device, {1, 1}, VK_FORMAT_D32_SFLOAT, VK_IMAGE_USAGE_SAMPLED_BIT),
       nearest_(makeSampler(device, VK_FILTER_NEAREST)) {
@@ -32,14 +38,14 @@ LinearStore::LinearStore(const Device& device, FramePipelines& pipelines, const 
 }
 
 void LinearStore::record(VkCommandBuffer command, const DrawView&) const {
-  vkCmdFillBuffer(command, maps_, 0, VK_WHOLE_SIZE, 0);
+  vkCmdFillBuffer(command, static_cast<const Buffer&>(maps_), 0, VK_WHOLE_SIZE, 0);
   rasteriser_.record(command);
 }
 
 void LinearStore::fit(const shared::Plan& plan) {
   if (!estimated_ || texelsOf(plan) == texels_) return;
   texels_ = texelsOf(plan);
-  maps_ = Buffer(device_, texels_ * bytesPerTexel_, kUsage);
+  maps_ = makeMaps(device_, texels_, bytesPerTexel_);
 }
 
 bool LinearStore::again() {

@@ -24,7 +24,7 @@ class LinearStore : public Store {
   const Device& device_;
   bool estimated_;  // the plan knows the maps' sizes, not the host
   std::uint64_t texels_, bytesPerTexel_;
-  Buffer maps_;
+  TexelBuffer maps_;
   Rasteriser rasteriser_;
   GpuImage unread_;
   Sampler nearest_;

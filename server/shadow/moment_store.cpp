@@ -51,7 +51,7 @@ MomentStore::MomentStore(const Device& device, FramePipelines& pipelines, const 
       pipelines_(pipelines.of(method)),
       views_(shadowViewsOf(method)),
       blurs_(constants.moments.lsBlur > 0),
-      unread_(device, 0, VK_BUFFER_USAGE_STORAGE_BUFFER_BIT),
+      unread_(unreadBuffer(device)),
       nearest_(makeSampler(device, VK_FILTER_NEAREST)),
       level_(makeLevelSampler(device)) {
   const VkExtent2D map{constants.settings.mapSize.x, constants.settings.mapSize.y};

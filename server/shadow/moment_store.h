@@ -32,7 +32,7 @@ class MomentStore : public Store {
   bool blurs_;
   GpuImage depth_, moments_;
   GpuImage blurred_;  // half-way; one texel where nothing blurs
-  Buffer unread_;
+  TexelBuffer unread_;
   Sampler nearest_, level_;
 };
 

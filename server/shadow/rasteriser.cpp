@@ -43,7 +43,7 @@ void Rasteriser::allocate(const Room& room) {
   };
   listed_ = make(room.listed, sizeof(shared::ListedTriangle));
   parts_ = make(room.parts, sizeof(shared::RasterPart));
-  areas_ = make(room.areas, sizeof(shared::RasterArea));
+  bands_ = make(room.bands, sizeof(shared::RasterBand));
   room_ = room;
 }
 
@@ -51,7 +51,7 @@ void Rasteriser::bindTo(BindingSet& bindings) const {
   bindings.set(shared::kBindRaster, state_);
   bindings.set(shared::kBindListed, listed_);
   bindings.set(shared::kBindParts, parts_);
-  bindings.set(shared::kBindAreas, areas_);
+  bindings.set(shared::kBindBands, bands_);
 }
 
 void Rasteriser::record(VkCommandBuffer command) const {
@@ -59,7 +59,7 @@ void Rasteriser::record(VkCommandBuffer command) const {
     vkCmdBindPipeline(command, VK_PIPELINE_BIND_POINT_COMPUTE, pipeline);
   };
   const auto push = [&](std::uint32_t view, std::uint32_t bucket) {
-    const shared::RasterPush values{view, bucket, room_.listed, room_.parts, room_.areas};
+    const shared::RasterPush values{view, bucket, room_.listed, room_.parts, room_.bands};
     vkCmdPushConstants(command, layout_, VK_SHADER_STAGE_ALL, 0, sizeof values, &values);
   };
   bind(pipelines_.begin);
@@ -79,10 +79,10 @@ void Rasteriser::record(VkCommandBuffer command) const {
   }
   barrier(command);
 
-  // What they left: triangles that are clipped or large, and the areas of the large ones.
+  // What they left: triangles that are clipped or large, and the bands of the large ones.
   for (const auto& [round, arguments] :
        {std::pair(&RasterPipelines::Kind::listed, offsetof(shared::RasterState, listed)),
-        {&RasterPipelines::Kind::areas, offsetof(shared::RasterState, areas)}}) {
+        {&RasterPipelines::Kind::bands, offsetof(shared::RasterState, bands)}}) {
     push(0, 0);
     for (std::uint32_t kind = 0; kind < shared::kRasterKinds; ++kind) {
       if (!pipelines_.kinds[kind].clusters) continue;
@@ -97,9 +97,10 @@ void Rasteriser::record(VkCommandBuffer command) const {
 }
 
 bool Rasteriser::overflowed() const {
+  if (getenv("RDBG")) fprintf(stderr,"listed %u %u parts %u %u bands %u %u\n", found().listedCount[0],found().listedCount[1],found().partCount[0],found().partCount[1],found().bandCount[0],found().bandCount[1]);
   for (std::uint32_t kind = 0; kind < shared::kRasterKinds; ++kind)
     if (found().listedCount[kind] > room_.listed || found().partCount[kind] > room_.parts ||
-        found().areaCount[kind] > room_.areas)
+        found().bandCount[kind] > room_.bands)
       return true;
   return false;
 }
@@ -110,11 +111,11 @@ void Rasteriser::makeRoom() {
     return most > room ? most + most / 4 : room;
   };
   allocate({enough(room_.listed, found().listedCount), enough(room_.parts, found().partCount),
-            enough(room_.areas, found().areaCount)});
+            enough(room_.bands, found().bandCount)});
 }
 
 std::uint64_t Rasteriser::bytes() const {
-  return state_.size() + listed_.size() + parts_.size() + areas_.size();
+  return state_.size() + listed_.size() + parts_.size() + bands_.size();
 }
 
 }  // namespace sundial

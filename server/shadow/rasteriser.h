@@ -29,7 +29,7 @@ class Rasteriser {
  private:
   // Entries of each kind.
   struct Room {
-    std::uint32_t listed, parts, areas;
+    std::uint32_t listed, parts, bands;
   };
   void allocate(const Room&);
   const shared::RasterState& found() const { return *host_.mapped<shared::RasterState>(); }
@@ -40,7 +40,7 @@ class Rasteriser {
   std::uint32_t views_;
   std::array<bool, shared::kBuckets> filled_{};  // the buckets that hold anything
   Room room_{};
-  Buffer state_, host_, listed_, parts_, areas_;
+  Buffer state_, host_, listed_, parts_, bands_;
 };
 
 }  // namespace sundial

@@ -75,14 +75,15 @@ ShadowVolumes::ShadowVolumes(const Device& device, FramePipelines& pipelines, co
                   VK_BUFFER_USAGE_STORAGE_BUFFER_BIT | VK_BUFFER_USAGE_INDIRECT_BUFFER_BIT),
       counts_(device, {size.x, size.y}, VK_FORMAT_R32_SFLOAT,
               VK_IMAGE_USAGE_COLOR_ATTACHMENT_BIT | VK_IMAGE_USAGE_SAMPLED_BIT),
-      nearest_(makeSampler(device, VK_FILTER_NEAREST)) {
+      nearest_(makeSampler(device, VK_FILTER_NEAREST)),
+      unread_(unreadBuffer(device)) {
   device.submit([&](VkCommandBuffer command) {
     transition(command, counts_, VK_IMAGE_LAYOUT_UNDEFINED, VK_IMAGE_LAYOUT_SHADER_READ_ONLY_OPTIMAL);
   });
 }
 
 void ShadowVolumes::bindTo(BindingSet& bindings) const {
-  bindNoStore(bindings, counts_, nearest_, silhouette_);
+  bindNoStore(bindings, counts_, nearest_, unread_);
   edges_.bindTo(bindings);
   bindings.set(shared::kBindSilhouette, silhouette_);
 }

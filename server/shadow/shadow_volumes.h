@@ -52,6 +52,7 @@ class ShadowVolumes {
   Buffer silhouette_;
   GpuImage counts_;  // R32F, a pixel each: integers, exact up to 2^24
   Sampler nearest_;
+  TexelBuffer unread_;
 };
 
 }  // namespace sundial

@@ -96,13 +96,19 @@ void drawPlaced(VkCommandBuffer command, const glm::uvec2& viewport, VkExtent2D 
   for (std::uint32_t view = 0; view < views; ++view) draw(view);
 }
 
-void bindNoStore(BindingSet& bindings, const GpuImage& unread, VkSampler sampler, const Buffer& unreadToo) {
+void bindNoStore(BindingSet& bindings, const GpuImage& unread, VkSampler sampler, const TexelBuffer& unreadToo) {
   for (const std::uint32_t binding :
        {shared::kBindStore, shared::kBindMultisampled, shared::kBindMoments, shared::kBindBlurred})
     bindings.set(binding, unread, sampler);
   for (const std::uint32_t binding : {shared::kBindLinear, shared::kBindRaster, shared::kBindListed,
-                                      shared::kBindParts, shared::kBindAreas})
-    bindings.set(binding, unreadToo);
+                                      shared::kBindParts, shared::kBindBands})
+    bindings.set(binding, static_cast<const Buffer&>(unreadToo));
+  bindings.set(shared::kBindLinearTexels, unreadToo);
+}
+
+TexelBuffer unreadBuffer(const Device& device) {
+  return {device, Buffer(device, 0, VK_BUFFER_USAGE_STORAGE_BUFFER_BIT | VK_BUFFER_USAGE_UNIFORM_TEXEL_BUFFER_BIT),
+          VK_FORMAT_R32_UINT, 4};
 }
 
 }  // namespace sundial

@@ -63,6 +63,7 @@ void drawPlaced(VkCommandBuffer, const glm::uvec2& viewport, VkExtent2D extent, 
                 const Store::DrawView& draw);
 
 // What a store, or a frame without one, has nothing for: see BindingSet.
-void bindNoStore(BindingSet&, const GpuImage& unread, VkSampler, const Buffer& unreadToo);
+void bindNoStore(BindingSet&, const GpuImage& unread, VkSampler, const TexelBuffer& unreadToo);
+TexelBuffer unreadBuffer(const Device&);
 
 }  // namespace sundial

@@ -19,7 +19,7 @@ SUNDIAL_CONST kBindLinear =
 SUNDIAL_CONST kBindRaster = 9u;       // RasterState
 SUNDIAL_CONST kBindListed = 10u;      // ListedTriangle[]
 SUNDIAL_CONST kBindParts = 11u;       // RasterPart[]
-SUNDIAL_CONST kBindAreas = 12u;       // RasterArea[]
+SUNDIAL_CONST kBindBands = 12u;       // RasterBand[]
 SUNDIAL_CONST kBindSilhouette = 13u;  // SilhouetteDraw, SilhouetteEdge[]: shadow volumes
 SUNDIAL_CONST kStorageBindings = 14u;
 
@@ -30,24 +30,25 @@ SUNDIAL_CONST kBindAttributes = 15u;  // RGBA32UI: Attributes
 SUNDIAL_CONST kBindTriangles = 16u;   // RGBA32UI: Triangle
 SUNDIAL_CONST kBindDraws = 17u;       // RG32UI: Draw
 SUNDIAL_CONST kBindInstances = 18u;   // RGBA32F: a row of Instance
+SUNDIAL_CONST kBindLinearTexels = 19u;  // R32UI or RG32UI: what kBindLinear holds
 // Of shadow volumes alone:
-SUNDIAL_CONST kBindEdges = 19u;         // RGBA32UI: Edge
-SUNDIAL_CONST kBindEdgeSides = 20u;     // R32UI: triangles about edges
-SUNDIAL_CONST kBindClusterEdges = 21u;  // RG32UI: first and number of the edges of a cluster
-SUNDIAL_CONST kBindPlanes = 22u;        // RGBA32F: a triangle's plane, mesh space
-SUNDIAL_CONST kTexelBindings = 23u;
+SUNDIAL_CONST kBindEdges = 20u;         // RGBA32UI: Edge
+SUNDIAL_CONST kBindEdgeSides = 21u;     // R32UI: triangles about edges
+SUNDIAL_CONST kBindClusterEdges = 22u;  // RG32UI: first and number of the edges of a cluster
+SUNDIAL_CONST kBindPlanes = 23u;        // RGBA32F: a triangle's plane, mesh space
+SUNDIAL_CONST kTexelBindings = 24u;
 
-SUNDIAL_CONST kBindTextures = 23u;      // sampler2DArray: base colour
-SUNDIAL_CONST kBindDepth = 24u;         // sampler2D: the G-buffer's depth
-SUNDIAL_CONST kBindIds = 25u;           // usampler2D: the G-buffer's draw and triangle
-SUNDIAL_CONST kBindPositions = 26u;     // usampler2D: view samples, position's bits and instance
-SUNDIAL_CONST kBindNormals = 27u;       // usampler2D: view samples, normal's bits and triangle
-SUNDIAL_CONST kBindStore = 28u;         // sampler2D: the shadow maps
-SUNDIAL_CONST kBindVisibility = 29u;    // sampler2D: what resolve wrote
-SUNDIAL_CONST kBindMultisampled = 30u;  // sampler2DMS: the depths of one view, storage=moments
-SUNDIAL_CONST kBindMoments = 31u;       // sampler2DArray: a layer a view
-SUNDIAL_CONST kBindBlurred = 32u;       // sampler2DArray: a view half-way through its blur
-SUNDIAL_CONST kBindCount = 33u;
+SUNDIAL_CONST kBindTextures = 24u;      // sampler2DArray: base colour
+SUNDIAL_CONST kBindDepth = 25u;         // sampler2D: the G-buffer's depth
+SUNDIAL_CONST kBindIds = 26u;           // usampler2D: the G-buffer's draw and triangle
+SUNDIAL_CONST kBindPositions = 27u;     // usampler2D: view samples, position's bits and instance
+SUNDIAL_CONST kBindNormals = 28u;       // usampler2D: view samples, normal's bits and triangle
+SUNDIAL_CONST kBindStore = 29u;         // sampler2D: the shadow maps
+SUNDIAL_CONST kBindVisibility = 30u;    // sampler2D: what resolve wrote
+SUNDIAL_CONST kBindMultisampled = 31u;  // sampler2DMS: the depths of one view, storage=moments
+SUNDIAL_CONST kBindMoments = 32u;       // sampler2DArray: a layer a view
+SUNDIAL_CONST kBindBlurred = 33u;       // sampler2DArray: a view half-way through its blur
+SUNDIAL_CONST kBindCount = 34u;
 
 SUNDIAL_SHARED_END
 #endif

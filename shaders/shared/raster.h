@@ -8,12 +8,12 @@
 SUNDIAL_SHARED_BEGIN
 
 SUNDIAL_CONST kSubTexels = 256u;  // steps of the grid that vertices lie on, to a texel
-// A triangle whose box has at most this many texels a side is drawn by one invocation; larger ones are cut into areas,
-// a workgroup each, and those into blocks, an invocation each.
+// A triangle whose box has at most this many texels a side is drawn by one invocation; larger ones are cut into bands of
+// rows, a workgroup each, an invocation a row.
 SUNDIAL_CONST kSmallSide = 64u;
-SUNDIAL_CONST kBlockSide = 16u;
-SUNDIAL_CONST kBlocksAcross = 8u;
-SUNDIAL_CONST kAreaSide = kBlockSide * kBlocksAcross;
+SUNDIAL_CONST kBandRows = 32u;
+// Within so many texels of a row 32 bits hold what its edges come to.
+SUNDIAL_CONST kSegmentTexels = 256u;
 // Vertices of a triangle that was clipped at the four sides of a map.
 SUNDIAL_CONST kMaxPolygon = 7u;
 
@@ -48,20 +48,20 @@ struct RasterPart {
   vec4 attributes[3];  // of masked triangles, the same three of (uv, alpha, 1) over w
 };
 
-// Where in a part to draw: of the squares of kAreaSide texels that its box begins with the one in this row and column.
-struct RasterArea {
+// kBandRows rows of a part.
+struct RasterBand {
   uint part;
-  uint place;  // row << 16 | column
+  uint band;  // counted from the first of its box
 };
 
 struct RasterState {
   DispatchCommand clusters[kMaxShadowViews * kBuckets];
   DispatchCommand listed[kRasterKinds];
-  DispatchCommand areas[kRasterKinds];
+  DispatchCommand bands[kRasterKinds];
   // How many there were of each: more than there is room for means that some were lost.
   uint listedCount[kRasterKinds];
   uint partCount[kRasterKinds];
-  uint areaCount[kRasterKinds];
+  uint bandCount[kRasterKinds];
   uint triangles;  // looked at, for the record
 };
 
@@ -71,7 +71,7 @@ struct RasterPush {
   uint bucket;
   uint listedRoom;  // of each kind
   uint partRoom;
-  uint areaRoom;
+  uint bandRoom;
 };
 
 SUNDIAL_SHARED_END

@@ -1,5 +1,5 @@
 #version 460
 #extension GL_GOOGLE_include_directive : require
-#include "raster_areas.glsl"
+#include "raster_bands.glsl"
 
 #include "keep_id.glsl"

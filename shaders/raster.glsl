@@ -89,7 +89,8 @@ Varying varyingOver(Placed p[3], ivec2 from) {
   const vec2 to = vec2(from) - p[0].at;
   v.from = from;
   v.depth = p[0].depth + dot(v.depthSlope, to);
-  v.depthRange = vec2(min(min(p[0].depth, p[1].depth), p[2].depth), max(max(p[0].depth, p[1].depth), p[2].depth));
+  v.depthRange = clamp(vec2(min(min(p[0].depth, p[1].depth), p[2].depth), max(max(p[0].depth, p[1].depth), p[2].depth)),
+                       0, 1);  // casters before the near plane are kept, at 1
   if (kMasked) {
     const vec4 db = p[1].attributes - p[0].attributes, dc = p[2].attributes - p[0].attributes;
     v.attributesRight = (db * c.y - dc * b.y) * perArea;
@@ -153,7 +154,7 @@ Edges edgesFar(ivec2 p[3], ivec2 texel) {
 float depthIn(Varying v, ivec2 texel) {
   float depth = v.depth + dot(v.depthSlope, vec2(texel - v.from));
   if (kCoverage == kCoverConservative) depth += 0.5 * (abs(v.depthSlope.x) + abs(v.depthSlope.y));
-  return clamp(clamp(depth, v.depthRange.x, v.depthRange.y), 0, 1);
+  return clamp(depth, v.depthRange.x, v.depthRange.y);
 }
 
 bool isHoleAt(Varying v, ivec2 texel, uint material) {
@@ -195,23 +196,52 @@ void fillSpan(uint view, uint id, ivec2 texel, ivec2 span, Varying v, uint mater
     fillTexel(view, id, index + uint(x), ivec2(texel.x + x, texel.y), v, material);
 }
 
-// The covered texels of a box; `e` is at its first.
+// Floor and remainder of a division by a positive number, of numbers that floats hold exactly.
+void divide(ivec3 a, ivec3 b, vec3 perB, out ivec3 quotient, out ivec3 remainder) {
+  quotient = ivec3(floor(vec3(a) * perB));
+  remainder = a - quotient * b;
+  const ivec3 under = ivec3(lessThan(remainder, ivec3(0)));
+  quotient -= under;
+  remainder += under * b;
+  const ivec3 over = ivec3(greaterThanEqual(remainder, b));
+  quotient += over;
+  remainder -= over * b;
+}
+
+// The covered texels of a small box; `e` is at its first. Where an edge crosses a row is followed from row to row by
+// quotient and remainder, so that no texel is looked at in vain: what is done to one may be dear, and the other
+// invocations of a vector wait for it.
 void fill(uint view, uint id, Edges e, Varying v, ivec4 box, uint material) {
   const uint pitch = plan.views[view].rectSize.x;
   const int width = box.z - box.x + 1;
-  const vec3 perRight = 1 / vec3(e.right);
+  const ivec3 right = max(abs(e.right), 1);
+  const vec3 perRight = 1 / vec3(right);
+  // In steps to the right: where the edge is crossed before the first texel, and what a row adds.
+  ivec3 crossing, part, step_, stepPart;
+  divide(e.at, right, perRight, crossing, part);
+  divide(e.down, right, perRight, step_, stepPart);
+  crossing -= step_;
+  part -= stepPart;
+  const bvec3 opens = greaterThan(e.right, ivec3(0)), closes = lessThan(e.right, ivec3(0));
+
   ivec2 texel = ivec2(0, box.y - 1);
   int end = 0;
   uint row = plan.views[view].linearOffset + uint(texel.y) * pitch + uint(box.x);
-  e.at -= e.down;
   for (;;) {
     if (texel.x >= end) {
       ++texel.y;
       row += pitch;
-      e.at += e.down;
-      const ivec2 span = spanOf(e.at, e.right, perRight, width);
-      texel.x = span.x;
-      end = span.y;
+      crossing += step_;
+      part += stepPart;
+      const ivec3 over = ivec3(greaterThanEqual(part, right));
+      crossing += over;
+      part -= over * right;
+      const ivec3 first = mix(ivec3(0), -crossing, opens);
+      // An edge along the row lets all of it in, or nothing.
+      const ivec3 along = mix(ivec3(width), ivec3(0), lessThan(crossing, ivec3(0)));
+      const ivec3 last = mix(mix(along, crossing + 1, closes), ivec3(width), opens);
+      texel.x = max(max(first.x, first.y), max(first.z, 0));
+      end = min(min(last.x, last.y), min(last.z, width));
     }
     if (texel.y > box.w) break;
     if (texel.x < end) {

@@ -70,6 +70,12 @@ ivec4 texelBox(Placed p[3], uvec2 size) {
 
 bool isEmpty(ivec4 box) { return box.x > box.z || box.y > box.w; }
 
+// Whether one invocation draws it.
+bool isSmall(Placed p[3], ivec4 box) {
+  const vec2 b = p[1].at - p[0].at, c = p[2].at - p[0].at;
+  return all(lessThan(box.zw - box.xy, ivec2(kSmallSide))) && abs(b.x * c.y - b.y * c.x) <= 2.0 * kSmallTexels;
+}
+
 // What varies over a triangle as a plane does.
 struct Varying {
   ivec2 from;  // the texel at whose centre it has these values

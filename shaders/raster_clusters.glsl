@@ -41,8 +41,7 @@ void main() {
   for (int i = 0; i < 3; ++i) p[i] = placedIn(corners[i], offset, size);
   const ivec4 box = texelBox(p, size);
   if (inside && isEmpty(box)) return;
-  const bool small = all(lessThan(box.zw - box.xy, ivec2(kSmallSide)));
-  if (!inside || !small) {
+  if (!inside || !isSmall(p, box)) {
     list(id);
     return;
   }

@@ -96,7 +96,7 @@ void drawPart(uint view, uint id, Corner a, Corner b, Corner c, uint material) {
     grid[2] = p[1].grid;
   }
   const Varying v = varyingOver(p, box.xy);
-  if (all(lessThan(box.zw - box.xy, ivec2(kSmallSide))))
+  if (isSmall(p, box))
     fill(view, id, edgesNear(grid, box.xy), v, box, material);
   else
     cutIntoBands(view, id, grid, v, box);

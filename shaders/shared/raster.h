@@ -8,9 +8,10 @@
 SUNDIAL_SHARED_BEGIN
 
 SUNDIAL_CONST kSubTexels = 256u;  // steps of the grid that vertices lie on, to a texel
-// A triangle whose box has at most this many texels a side is drawn by one invocation; larger ones are cut into bands of
-// rows, a workgroup each, an invocation a row.
-SUNDIAL_CONST kSmallSide = 64u;
+// A triangle whose box has at most this many texels a side, which is as far as 32 bits reach, is drawn by one invocation
+// if it covers few of them. Others are cut into bands of rows, a workgroup each, an invocation a row.
+SUNDIAL_CONST kSmallSide = 127u;
+SUNDIAL_CONST kSmallTexels = 500u;
 SUNDIAL_CONST kBandRows = 32u;
 // Within so many texels of a row 32 bits hold what its edges come to.
 SUNDIAL_CONST kSegmentTexels = 256u;

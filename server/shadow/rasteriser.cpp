@@ -97,7 +97,6 @@ void Rasteriser::record(VkCommandBuffer command) const {
 }
 
 bool Rasteriser::overflowed() const {
-  if (getenv("RDBG")) fprintf(stderr,"listed %u %u parts %u %u bands %u %u\n", found().listedCount[0],found().listedCount[1],found().partCount[0],found().partCount[1],found().bandCount[0],found().bandCount[1]);
   for (std::uint32_t kind = 0; kind < shared::kRasterKinds; ++kind)
     if (found().listedCount[kind] > room_.listed || found().partCount[kind] > room_.parts ||
         found().bandCount[kind] > room_.bands)

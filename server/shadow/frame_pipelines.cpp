@@ -204,12 +204,13 @@ RasterPipelines FramePipelines::raster(const RasterChoice& choice, bool opaque, 
   for (const bool isMasked : {false, true}) {
     if (!(isMasked ? masked : opaque)) continue;
     const Specialization constants{choice.coverage, isMasked};
-    const auto round = [&](std::string_view plain, std::string_view withId) {
-      return compute(choice.ids ? withId : plain, constants);
+    const auto round = [&](std::string_view plain, std::string_view withId, std::string_view sum) {
+      return compute(choice.sums ? sum : choice.ids ? withId : plain, constants);
     };
-    made.kinds[isMasked] = {.clusters = round("raster_clusters.comp", "raster_clusters_id.comp"),
-                            .listed = round("raster_listed.comp", "raster_listed_id.comp"),
-                            .bands = round("raster_bands.comp", "raster_bands_id.comp")};
+    made.kinds[isMasked] = {
+        .clusters = round("raster_clusters.comp", "raster_clusters_id.comp", "raster_clusters_sum.comp"),
+        .listed = round("raster_listed.comp", "raster_listed_id.comp", "raster_listed_sum.comp"),
+        .bands = round("raster_bands.comp", "raster_bands_id.comp", "raster_bands_sum.comp")};
   }
   return made;
 }

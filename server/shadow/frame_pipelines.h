@@ -28,6 +28,7 @@ struct MethodPipelines {
 // What the compute rasteriser does to a texel, in the numbers of shared/raster.h.
 struct RasterChoice {
   bool ids = false;  // 64 bits a texel, depth and triangle, instead of 32 of depth
+  bool sums = false;  // 32 bits a texel, of a sum over all triangles: tests alone
   std::uint32_t coverage = 0;
 };
 

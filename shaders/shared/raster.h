@@ -25,6 +25,8 @@ SUNDIAL_CONST kWorkgroupsInRow = 32768u;  // of a dispatch; further ones go into
 SUNDIAL_CONST kCoverCentre = 0u;        // those whose centre lies in it, with its depth there
 SUNDIAL_CONST kCoverConservative = 1u;  // all that touch it, with the nearest depth of its plane in the texel
 
+SUNDIAL_CONST kSumFactor = 2654435761u;  // keep_sum.glsl
+
 struct DispatchCommand {  // VkDispatchIndirectCommand
   uint x;
   uint y;

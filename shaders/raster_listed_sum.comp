@@ -1,0 +1,5 @@
+#version 460
+#extension GL_GOOGLE_include_directive : require
+#include "raster_listed.glsl"
+
+#include "keep_sum.glsl"

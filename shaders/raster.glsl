@@ -51,7 +51,8 @@ Placed placedIn(Corner corner, uvec2 offset, uvec2 size) {
   precise const float perW = 1 / corner.clip.w;
   precise const vec2 half_ = 0.5 * vec2(size);
   precise const vec2 window = corner.clip.xy * perW * half_ + (vec2(offset) + half_);
-  precise const vec2 fromCentre = window - 0.5;
+  // Where a triangle's plane passes the light, clipping leaves corners that rounding carries far outside.
+  precise const vec2 fromCentre = clamp(window, vec2(offset) - 0.5, vec2(offset + size) + 0.5) - 0.5;
   Placed p;
   p.grid = ivec2(roundEven(fromCentre * kSubTexels)) - ivec2(offset * kSubTexels);
   p.at = fromCentre - vec2(offset);

@@ -4,6 +4,8 @@
 
 layout(local_size_x = 64) in;
 
+const float kLeastW = 1e-30;
+
 // dp / (dp - other) to the last bit or nearly: a division of floats may be off by more, which would move a vertex on
 // the grid. The remainder is exact by Dekker's product of halves.
 float share(float dp, float denominator) {
@@ -84,8 +86,8 @@ void cutIntoBands(uint view, uint id, ivec2 grid[3], Varying v, ivec4 box) {
 }
 
 void drawPart(uint view, uint id, Corner a, Corner b, Corner c, uint material) {
-  // Where the light itself lies on the map's rim.
-  if (!(min(min(a.clip.w, b.clip.w), c.clip.w) > 0)) return;
+  // At the light itself there is nothing to divide by.
+  if (!(min(min(a.clip.w, b.clip.w), c.clip.w) > kLeastW)) return;
   const uvec2 offset = plan.views[view].rectOffset, size = plan.views[view].rectSize;
   const Placed p[3] = {placedIn(a, offset, size), placedIn(b, offset, size), placedIn(c, offset, size)};
   const ivec4 box = texelBox(p, size);

@@ -149,7 +149,7 @@ TEST_P(Fuzz, FiftyThousandTrianglesCoverWhatExactArithmeticSays) {
 TEST_P(Fuzz, LargeTrianglesOfALargeMapAreWholeToo) {
   const auto [projection, coverage] = GetParam();
   const glm::uvec2 size(1500, 700);
-  EXPECT_EQ(wrongTexels(Triangles(3, projection, size).make(320), projection, {{{0, 0}, size}}, coverage),
+  EXPECT_EQ(wrongTexels(Triangles(3, projection, size).make(960), projection, {{{0, 0}, size}}, coverage),
             0u);
 }
 

@@ -28,6 +28,7 @@ using GridPoint = glm::i64vec2;  // 1/256 texels from the centre of the map's fi
 using GridTriangle = std::array<GridPoint, 3>;
 
 inline constexpr std::int64_t kGrid = 256;
+inline constexpr float kLeastW = 1e-30f;  // at the light itself there is nothing to divide by
 
 inline std::int64_t cross(GridPoint a, GridPoint b) { return a.x * b.y - a.y * b.x; }
 
@@ -92,7 +93,9 @@ inline GridPoint onGrid(const glm::vec4& clip, const MapRect& map) {
   const float perW = 1 / clip.w;
   const glm::vec2 half = 0.5f * glm::vec2(map.size);
   const glm::vec2 window = glm::vec2(clip) * perW * half + (glm::vec2(map.offset) + half);
-  const glm::vec2 grid = (window - 0.5f) * static_cast<float>(kGrid);
+  // Where a triangle's plane passes the light, clipping leaves corners that rounding carries far outside.
+  const glm::vec2 low = glm::vec2(map.offset) - 0.5f, high = glm::vec2(map.offset + map.size) + 0.5f;
+  const glm::vec2 grid = (glm::clamp(window, low, high) - 0.5f) * static_cast<float>(kGrid);
   return GridPoint(std::nearbyint(grid.x), std::nearbyint(grid.y)) - GridPoint(map.offset) * kGrid;
 }
 
@@ -102,7 +105,7 @@ template <class Visit>
 void rasterise(const std::array<glm::vec4, 3>& corners, const MapRect& map, Coverage coverage, Visit visit) {
   const std::vector<glm::vec4> polygon = clippedToMap(corners);
   for (std::size_t i = 2; i < polygon.size(); ++i) {
-    if (!(std::min({polygon[0].w, polygon[i - 1].w, polygon[i].w}) > 0)) continue;
+    if (!(std::min({polygon[0].w, polygon[i - 1].w, polygon[i].w}) > kLeastW)) continue;
     const GridTriangle t{onGrid(polygon[0], map), onGrid(polygon[i - 1], map), onGrid(polygon[i], map)};
     glm::i64vec2 low = glm::min(glm::min(t[0], t[1]), t[2]) / kGrid - std::int64_t{1};
     glm::i64vec2 high = glm::max(glm::max(t[0], t[1]), t[2]) / kGrid + std::int64_t{1};

@@ -46,6 +46,8 @@ class FramePipelines {
 
   // Made when they are first asked for. A method with a map; one without has no pipelines of its own.
   MethodPipelines of(const Method&);
+  // How lookup=spsm answers, in the numbers of shared/choices.h, in the place of what it answers.
+  VkPipeline classify(const Method&);
   RasterPipelines raster(const RasterChoice&, bool opaque, bool masked);
   // The same for passes beside the stages.
   VkPipeline compute(std::string_view shader, const Specialization&);
@@ -56,6 +58,7 @@ class FramePipelines {
   Pipeline gbuffer, gbufferMasked, samples;
   Pipeline cullTest, cullWrite;
   Pipeline shade, shadePlain;  // plain: a scene without textures and vertex colours
+  TexelBuffer tables;          // lookup_tables.h
 
  private:
   // Told apart by their shaders alone.

@@ -11,7 +11,8 @@ namespace {
 constexpr VkBufferUsageFlags kUsage = VK_BUFFER_USAGE_STORAGE_BUFFER_BIT;
 
 RasterChoice rasterOf(const Stages& stages) {
-  return {.ids = stages.storage == Storage::depthId, .coverage = shared::kCoverCentre};
+  return {.ids = keepsIds(stages.storage),
+          .coverage = asksTriangles(stages.lookup) ? shared::kCoverConservative : shared::kCoverCentre};
 }
 
 }  // namespace

@@ -71,7 +71,9 @@ struct Method {
     std::optional<double> importanceRange;  // metres; none: by a rule
     double biasTexels = 0;                  // towards the light, texels of the map at the receiver
     std::optional<double> biasWorld;       // towards the light, metres; none: a share of the scene's diagonal
-    unsigned kernel = 3;                   // pcf, texels a side
+    unsigned kernel = 3;                   // pcf, rgsm and spsm, texels a side
+    bool recovery = true;                  // spsm: of shadows' edges
+    unsigned positions = 1;                // spsm: in an uncertain pixel
     std::vector<double> exponents;         // storage=moments: positive and negative
     double blur = 0;                       // metres
     double bleedReduction = 0;             // in [0, 1)

@@ -35,19 +35,21 @@ SUNDIAL_CONST kBindEdges = 19u;         // RGBA32UI: Edge
 SUNDIAL_CONST kBindEdgeSides = 20u;     // R32UI: triangles about edges
 SUNDIAL_CONST kBindClusterEdges = 21u;  // RG32UI: first and number of the edges of a cluster
 SUNDIAL_CONST kBindPlanes = 22u;        // RGBA32F: a triangle's plane, mesh space
-SUNDIAL_CONST kTexelBindings = 23u;
+SUNDIAL_CONST kBindTables = 23u;        // RG32UI: slopes and patterns, lookup_tables.h
+SUNDIAL_CONST kTexelBindings = 24u;
 
-SUNDIAL_CONST kBindTextures = 23u;      // sampler2DArray: base colour
-SUNDIAL_CONST kBindDepth = 24u;         // sampler2D: the G-buffer's depth
-SUNDIAL_CONST kBindIds = 25u;           // usampler2D: the G-buffer's draw and triangle
-SUNDIAL_CONST kBindPositions = 26u;     // usampler2D: view samples, position's bits and instance
-SUNDIAL_CONST kBindNormals = 27u;       // usampler2D: view samples, normal's bits and triangle
-SUNDIAL_CONST kBindStore = 28u;         // sampler2D: the shadow maps
-SUNDIAL_CONST kBindVisibility = 29u;    // sampler2D: what resolve wrote
-SUNDIAL_CONST kBindMultisampled = 30u;  // sampler2DMS: the depths of one view, storage=moments
-SUNDIAL_CONST kBindMoments = 31u;       // sampler2DArray: a layer a view
-SUNDIAL_CONST kBindBlurred = 32u;       // sampler2DArray: a view half-way through its blur
-SUNDIAL_CONST kBindCount = 33u;
+SUNDIAL_CONST kBindTextures = 24u;      // sampler2DArray: base colour
+SUNDIAL_CONST kBindDepth = 25u;         // sampler2D: the G-buffer's depth
+SUNDIAL_CONST kBindIds = 26u;           // usampler2D: the G-buffer's draw and triangle
+SUNDIAL_CONST kBindPositions = 27u;     // usampler2D: view samples, position's bits and instance
+SUNDIAL_CONST kBindNormals = 28u;       // usampler2D: view samples, normal's bits and triangle
+SUNDIAL_CONST kBindStore = 29u;         // sampler2D: the shadow maps
+SUNDIAL_CONST kBindVisibility = 30u;    // sampler2D: what resolve wrote
+SUNDIAL_CONST kBindMultisampled = 31u;  // sampler2DMS: the depths of one view, storage=moments
+SUNDIAL_CONST kBindMoments = 32u;       // sampler2DArray: a layer a view
+SUNDIAL_CONST kBindBlurred = 33u;       // sampler2DArray: a view half-way through its blur
+SUNDIAL_CONST kBindHeld = 34u;          // usampler2D: packed triangles, storage=triangle
+SUNDIAL_CONST kBindCount = 35u;
 
 SUNDIAL_SHARED_END
 #endif

@@ -11,8 +11,8 @@ layout(constant_id = 4) const uint kAnswer = kAnswerVisibility;
 layout(constant_id = 5) const bool kRecover = true;
 layout(constant_id = 6) const uint kPositions = 1;  // in a pixel, of those that are uncertain
 
-// How far along the tangent the edge is followed, texels: as far as a shadow's edge is nearly straight.
-const float kReach = 1.0;
+// How far along the tangent the edge is followed to each side, texels: what is farther away may belong to another edge.
+const float kReach = 0.25;
 
 struct Around {
   ivec2 centre;

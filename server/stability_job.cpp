@@ -130,17 +130,18 @@ class Highlights {
 class MethodRun {
  public:
   MethodRun(const JobContext& context, const Stage& stage, PointTarget& target, const Method& method)
-      : context_(context),
-        stage_(stage),
-        target_(target),
-        method_(method),
-        frame_(stage.enter(0), method) {}
+      : context_(context), stage_(stage), target_(target), method_(method), frame_(stage.enter(0), method) {}
 
   enum class Extent { maps, picture };
 
-  // The frame's states of all points; frames in order, because a method may remember the one before.
-  Result<std::vector<PointState>> states(unsigned f, const Interrupt& interrupt,
-                                         Extent extent = Extent::maps) {
+  struct Seen {
+    std::vector<PointState> states;  // of all points
+    std::uint64_t dark = 0;          // as in StabilityFrame
+    double bleed = 0, drawn = 0;
+  };
+
+  // Frames in order, because a method may remember the one before.
+  Result<Seen> see(unsigned f, const Interrupt& interrupt, Extent extent = Extent::maps) {
     const FrameView view = stage_.enter(f);
     frame_.look(view);
     PointsInFrame points = stage_.pointsIn(f, view);
@@ -150,24 +151,33 @@ class MethodRun {
       std::erase_if(passes, [&](const Pass& pass) {
         return !hasMap(method_) || pass.name == "resolve" || pass.name == "shade";
       });
+    Seen seen;
     if (passes.empty()) {
       if (auto error = interrupt.raised()) return std::unexpected(*error);
-    } else if (auto run = runFrame(context_.device, passes, interrupt); !run) {
+    } else if (auto run = runFrame(context_.device, passes, interrupt); run) {
+      seen.drawn = scenesDrawn(passes, run->work);
+    } else {
       return std::unexpected(run.error());
     }
     const std::vector<float> visibility = ask(points.samples, view);
-    for (std::size_t i = 0; i < visibility.size(); ++i)
-      if (visibility[i] >= 0.5f) points.states[i] |= kPointLit;
-    return std::move(points.states);
+    for (std::size_t i = 0; i < visibility.size(); ++i) {
+      PointState& state = points.states[i];
+      if (visibility[i] >= 0.5f) state |= kPointLit;
+      if (!(state & kPointSeen) || state & kPointTruthLit) continue;
+      ++seen.dark;
+      seen.bleed += visibility[i];
+    }
+    seen.states = std::move(points.states);
+    return seen;
   }
 
-  // Of the frame that states() was called for last.
+  // Of the frame that see() was called for last.
   shared::Plan plan() const { return frame_.downloadPlan(); }
 
   Result<StabilityPicture> picture(const Highlights::Pick& pick, const Interrupt& interrupt) {
     if (pick.frame > 0)
-      if (auto before = states(pick.frame - 1, interrupt); !before) return std::unexpected(before.error());
-    auto now = states(pick.frame, interrupt, Extent::picture);
+      if (auto before = see(pick.frame - 1, interrupt); !before) return std::unexpected(before.error());
+    auto now = see(pick.frame, interrupt, Extent::picture);
     if (!now) return std::unexpected(now.error());
     StabilityPicture picture{.frame = pick.frame,
                              .size = context_.target.size(),
@@ -176,11 +186,23 @@ class MethodRun {
     const FrameView view = stage_.enter(pick.frame);
     const PointsInFrame points = stage_.pointsIn(pick.frame, view);
     for (const std::uint32_t i : pick.flipped)
-      picture.flipped.push_back({pixelOf(points.samples[i], view.constants), ((*now)[i] & kPointLit) != 0});
+      picture.flipped.push_back(
+          {pixelOf(points.samples[i], view.constants), (now->states[i] & kPointLit) != 0});
     return picture;
   }
 
  private:
+  // The triangles of the store pass over the scene's.
+  double scenesDrawn(const std::vector<Pass>& passes, const std::vector<std::vector<Work>>& work) const {
+    const auto triangles = static_cast<double>(context_.scene.scene->instancedTriangles());
+    for (std::size_t i = 0; i < passes.size(); ++i) {
+      if (passes[i].name != "store" || triangles == 0) continue;
+      const auto drawn = std::ranges::find(work[i], "primitives", &Work::name);
+      if (drawn != work[i].end()) return drawn->count / triangles;
+    }
+    return 0;
+  }
+
   std::vector<float> ask(std::span<const shared::ViewSample> samples, const FrameView& view) const {
     if (!hasMap(method_)) {
       std::vector<float> visibility(samples.size());
@@ -212,9 +234,12 @@ Result<void> runMethod(const JobContext& context, const Stage& stage, PointTarge
   std::vector<StabilityFrame> frames;
   shared::Plan before{};
   for (unsigned f = 0; f < stage.frames(); ++f) {
-    const auto states = run.states(f, interrupt);
-    if (!states) return std::unexpected(states.error());
-    StabilityFrame frame = counter.add(*states);
+    const auto seen = run.see(f, interrupt);
+    if (!seen) return std::unexpected(seen.error());
+    StabilityFrame frame = counter.add(seen->states);
+    frame.dark = seen->dark;
+    frame.bleed = seen->bleed;
+    frame.drawn = seen->drawn;
     const shared::Plan plan = run.plan();
     frame.texelJump = texelJump(before, plan);
     before = plan;

@@ -6,6 +6,7 @@
 // Planes of the view's frustum, pointing inwards: left, right, top, bottom, far; and near for the camera alone,
 // because casters before a shadow view's near plane still cast.
 vec4 planes[6];
+bool drawsAll;
 
 void makePlanes(mat4 m, bool camera) {
   const mat4 rows = transpose(m);
@@ -19,6 +20,7 @@ void makePlanes(mat4 m, bool camera) {
 
 bool reaches(Draw draw) {
   if (draw.instance == kNoInstance) return false;
+  if (drawsAll) return true;
   const Cluster cluster = clusters[draw.cluster];
   const Instance place = instanceAt(draw.instance);
   const vec3 centre = 0.5 * (cluster.boundsMin + cluster.boundsMax);
@@ -38,6 +40,7 @@ void main() {
   uvec2 bits = uvec2(0);
   const bool camera = slot == kCameraSlot;
   if (camera || (slot <= plan.viewCount && plan.views[slot - 1].empty == 0)) {
+    drawsAll = !camera && frame.settings.drawsAll != 0;
     makePlanes(camera ? frame.clipFromWorld : plan.views[slot - 1].shadowFromWorld, camera);
     for (uint i = 0; i < kDrawsPerChunk; ++i)
       if (reaches(drawAt(chunk * kDrawsPerChunk + i))) bits[i / 32] |= 1u << (i % 32);

@@ -13,6 +13,8 @@ struct Receiver {
   ViewSample viewSample;
   vec2 texel;          // position in the view's map, texels
   float depth;         // with bias; greater is nearer to the light
+  float exactDepth;    // moved by bias_world alone: for what is exact where the sample is
+  float worldBias;     // bias_world, as a difference of depth
   vec2 depthPerTexel;  // slope of the receiver's plane
 };
 
@@ -42,7 +44,9 @@ Receiver receiverIn(uint view, ViewSample s) {
   // A face that looks into the light meets its neighbours' texels with half of the error of one at 45 degrees.
   const float cosine = dot(s.wsNormal, toLight), sine = sqrt(max(1 - cosine * cosine, 0));
   const float biasTexels = frame.biasTexels * (0.5 + 0.5 * min(sine / cosine, 1));
-  r.depth = (ls.z - lsMin.z) * depthPerLight + depthPerMetre * (frame.biasWorld + biasTexels * texelMetres);
+  r.worldBias = depthPerMetre * frame.biasWorld;
+  r.exactDepth = (ls.z - lsMin.z) * depthPerLight + r.worldBias;
+  r.depth = r.exactDepth + depthPerMetre * biasTexels * texelMetres;
   return r;
 }
 

@@ -97,6 +97,19 @@ TEST_F(FrameCull, ACloseUpDrawsASmallPartOfTheScene) {
   EXPECT_LT(renderings[1].work("gbuffer", "primitives"), triangles / 10);
 }
 
+TEST_F(FrameCull, WithoutItEveryViewDrawsEverythingAndNothingChanges) {
+  const auto scene = builtin("trees?count=40");
+  for (const char* text : {"csm,texels=256", "csm,texels=256,plan=readback"}) {
+    SCOPED_TRACE(text);
+    const auto renderings = render(jobOf(scene, viewOf(*scene, "walk"), lightOf(*scene, "sun"), {128, 128},
+                                         {text, fmt::format("{},cull=none", text)}, {Aov::visibility}));
+    EXPECT_LT(renderings[0].work("store", "scenes"), 2);
+    EXPECT_EQ(renderings[1].work("store", "scenes"), 3);
+    EXPECT_TRUE(renderings[0].images.at(Aov::visibility).bytes ==
+                renderings[1].images.at(Aov::visibility).bytes);
+  }
+}
+
 // Alecu's worst case: the one mesh reaches every map and every view, most of its clusters don't.
 TEST_F(FrameCull, OneMeshThatSpansEverythingIsCulledByItsClusters) {
   const auto scene = builtin("village");

@@ -74,13 +74,22 @@ TEST(Flips, WrongAnswersAreCountedWherePointsAreSeen) {
 
 TEST(Flips, RatesAreSharesOfPairs) {
   const StabilityResult result =
-      summed({{.frame = 0, .pairs = 0, .flips = 0, .seen = 10, .wrong = 1},
+      summed({{.frame = 0, .pairs = 0, .flips = 0, .seen = 10, .wrong = 1, .dark = 4, .bleed = 1, .drawn = 3},
               {.frame = 1, .pairs = 8, .flips = 2, .seen = 10, .wrong = 2, .texelJump = 0.5},
-              {.frame = 2, .pairs = 2, .flips = 1, .seen = 5, .wrong = 2, .texelJump = 0.25}});
+              {.frame = 2,
+               .pairs = 2,
+               .flips = 1,
+               .seen = 5,
+               .wrong = 2,
+               .dark = 6,
+               .bleed = 0,
+               .texelJump = 0.25}});
   EXPECT_DOUBLE_EQ(result.flipRate, 0.3);
   EXPECT_DOUBLE_EQ(result.pop, 0.5);
   EXPECT_DOUBLE_EQ(result.wrongRate, 0.2);
   EXPECT_DOUBLE_EQ(result.texelJump, 0.5);
+  EXPECT_DOUBLE_EQ(result.bleed, 0.1) << "of all dark points";
+  EXPECT_DOUBLE_EQ(result.drawn, 1) << "a mean of the frames";
   EXPECT_EQ(summed({}).flipRate, 0);
 }
 
@@ -239,6 +248,11 @@ TEST_F(StabilityTest, AMovingCameraFlipsOnlyWhatDependsOnIt) {
   EXPECT_GT(dv.texelJump, 0);
   EXPECT_EQ(traced.flipRate, 0);
   EXPECT_EQ(traced.wrongRate, 0);
+  EXPECT_GT(sm.bleed, 0);
+  EXPECT_EQ(traced.bleed, 0);
+  EXPECT_NEAR(sm.drawn, 1, 1e-9) << "sm holds the scene, once";
+  EXPECT_LT(dv.drawn, 1);
+  EXPECT_EQ(traced.drawn, 0);
 }
 
 TEST_F(StabilityTest, AStillCameraFlipsNothing) {

@@ -14,7 +14,8 @@ constexpr double kFactor = 3;     // that failing and curing lie apart
 constexpr double kOfTwin = 1.25;  // times the twin's measure is as good as the twin's
 
 bool isFinite(const v1::StabilityResult& result) {
-  for (const double value : {result.flip_rate(), result.pop(), result.texel_jump(), result.wrong_rate()})
+  for (const double value : {result.flip_rate(), result.pop(), result.texel_jump(), result.wrong_rate(),
+                             result.bleed(), result.drawn()})
     if (!std::isfinite(value)) return false;
   for (const double jump : result.plan_jumps())
     if (!std::isfinite(jump)) return false;
@@ -28,6 +29,8 @@ double measureOf(const v1::StabilityResult& result, const std::string& measure) 
   if (measure == "pop") return result.pop();
   if (measure == "texel_jump") return result.texel_jump();
   if (measure == "wrong_rate") return result.wrong_rate();
+  if (measure == "bleed") return result.bleed();
+  if (measure == "drawn") return result.drawn();
   throw failure(fmt::format("the server's case has a measure '{}', newer than this command", measure));
 }
 

@@ -178,6 +178,8 @@ void toProto(const StabilityResult& in, v1::StabilityResult* out) {
   out->set_pop(in.pop);
   out->set_texel_jump(in.texelJump);
   out->set_wrong_rate(in.wrongRate);
+  out->set_bleed(in.bleed);
+  out->set_drawn(in.drawn);
   out->set_points(static_cast<double>(in.points));
   double pairs = 0;
   for (const StabilityFrame& frame : in.frames) {

@@ -94,6 +94,7 @@ void Frame::bindTo(BindingSet& bindings, const ViewTarget& samples) const {
   bindings.set(shared::kBindVisible, visible_);
   bindings.set(shared::kBindCounts, counts_);
   bindings.set(shared::kBindSilhouette, analysis_);
+  bindings.set(shared::kBindTables, view_.pipelines.tables);
   if (volumes_) return volumes_->bindTo(bindings);
   if (store_) return store_->bindTo(bindings);
   bindNoStore(bindings, samples.visibility, nearest_, unread_);
@@ -132,7 +133,7 @@ std::vector<Pass> Frame::passes() {
                    .record = on(&Frame::store),
                    .again = [this] { return storeAgain(); },
                    .counted = [this] { return storeWork(); }};
-  const Pass filter{.name = "filter", .record = on(&Frame::filter)};
+  const Pass filter{.name = store_->filterName(), .record = on(&Frame::filter)};
   const Pass resolve{.name = "resolve", .record = on(&Frame::resolve)};
   std::vector<Pass> passes = [&]() -> std::vector<Pass> {
     switch (method_.settings.plan) {
@@ -162,7 +163,7 @@ std::vector<Pass> Frame::passes() {
   }();
   if (method_.stages->focus == Focus::calipers)
     passes.insert(passes.begin(), {.name = "fit", .host = [this] { fit(); }});
-  if (!store_->filters()) std::erase_if(passes, [](const Pass& pass) { return pass.name == "filter"; });
+  std::erase_if(passes, [](const Pass& pass) { return pass.name.empty(); });
   return passes;
 }
 
@@ -247,7 +248,7 @@ void Frame::readPlan(VkCommandBuffer command) const {
 
 void Frame::cullByHost() const {
   const std::size_t views = shadowViews_;
-  cullOnHost(view_.scene, view_.origin, *hostPlan_->mapped<shared::Plan>(),
+  cullOnHost(view_.scene, view_.origin, *hostPlan_->mapped<shared::Plan>(), !method_.settings.cull,
              {hostCommands_->mapped<shared::DrawCommand>(), views * view_.scene.drawCount()},
              {hostCounts_->mapped<std::uint32_t>(), views * shared::kBuckets});
 }
@@ -329,6 +330,14 @@ void Frame::recordLookup(VkCommandBuffer command, const ViewTarget& points,
   });
 }
 
+void Frame::recordClasses(VkCommandBuffer command) const {
+  bindings_.bind(command);
+  renderInto(command, {&view_.target.visibility}, nullptr, [&] {
+    vkCmdBindPipeline(command, VK_PIPELINE_BIND_POINT_GRAPHICS, view_.pipelines.classify(method_));
+    vkCmdDraw(command, 3, 1, 0, 0);
+  });
+}
+
 // The picture.
 void Frame::shade(VkCommandBuffer command) const {
   bindings_.bind(command);
@@ -360,9 +369,8 @@ void Frame::takeVisibility(VkCommandBuffer command) const {
 // How many volumes each view sample is in. What the camera sees of the caps is what it sees of the scene.
 void Frame::countVolumes(VkCommandBuffer command) const {
   bindings_.bind(command);
-  volumes_->count(command, view_.pipelines.layout.pipeline(), [&](VkPipeline caps) {
-    drawSlot(command, shared::kCameraSlot, caps, caps, false);
-  });
+  volumes_->count(command, view_.pipelines.layout.pipeline(),
+                  [&](VkPipeline caps) { drawSlot(command, shared::kCameraSlot, caps, caps, false); });
 }
 
 void Frame::resolveVolumes(VkCommandBuffer command) const {

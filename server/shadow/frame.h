@@ -59,6 +59,9 @@ class Frame {
   void recordLookup(VkCommandBuffer, const ViewTarget& points, const BindingSet& bindings) const;
   // What answered each sample, into the target's `answers`; for methods with a map, after the passes.
   void recordAnswers(VkCommandBuffer) const;
+  // With lookup=spsm: what each sample's answer was found from (shared/choices.h: kAnswer...), into the
+  // target's `visibility`; after all else.
+  void recordClasses(VkCommandBuffer) const;
 
   shared::Plan downloadPlan() const;          // viewCount 0 for methods without a map
   std::vector<float> downloadDepths() const;  // Store::depths()

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include "shadow/lookup_tables.h"
 #include "shadow/plan_settings.h"
 #include "shadow/raster_choice.h"
 #include "shadow/scene_buffers.h"
@@ -120,6 +121,10 @@ std::string_view lookupShader(Lookup lookup) {
       return "lookup_pcf.frag";
     case Lookup::exact3x3:
       return "lookup_exact_3x3.frag";
+    case Lookup::rgsm:
+      return "lookup_rgsm.frag";
+    case Lookup::spsm:
+      return "lookup_spsm.frag";
     case Lookup::evsm:
       return "lookup_evsm.frag";
   }
@@ -128,6 +133,7 @@ std::string_view lookupShader(Lookup lookup) {
 
 std::uint32_t storeOf(const Method& method) {
   if (!isLinear(method)) return shared::kStoreImage;
+  if (method.stages->storage == Storage::triangle) return shared::kStoreTriangles;
   return method.stages->storage == Storage::depthId ? shared::kStoreIds : shared::kStoreDepths;
 }
 
@@ -140,6 +146,14 @@ Specialization lookupConstants(const Method& method) {
     return stages.focus == Focus::snapped ? shared::kChooseRadius : shared::kChooseDepth;
   }();
   return {storeOf(method), choice, shadowViewsOf(method), method.settings.blend > 0};
+}
+
+// Of the resolve pass, whose lookups may have choices of their own.
+Specialization resolveConstants(const Method& method, std::uint32_t answer) {
+  Specialization constants = lookupConstants(method);
+  if (method.stages->lookup == Lookup::spsm)
+    constants.insert(constants.end(), {answer, method.settings.recovery, method.settings.positions});
+  return constants;
 }
 
 }  // namespace
@@ -158,6 +172,8 @@ FramePipelines::FramePipelines(const Device& device)
                                  fullscreenOf("shade.frag", {VK_FORMAT_R8G8B8A8_UNORM}, {VK_FALSE}))),
       shadePlain(makeGraphicsPipeline(device, layout,
                                       fullscreenOf("shade.frag", {VK_FORMAT_R8G8B8A8_UNORM}, {VK_TRUE}))),
+      tables(device, uploaded(device, lookupTables(), VK_BUFFER_USAGE_UNIFORM_TEXEL_BUFFER_BIT),
+             VK_FORMAT_R32G32_UINT, 8),
       device_(device),
       storeDepth_(makeGraphicsPipeline(device, layout, storeOf("store_depth.vert", "", false))),
       storeDepthMasked_(makeGraphicsPipeline(
@@ -170,7 +186,8 @@ MethodPipelines FramePipelines::of(const Method& method) {
       .plan = compute(planShader(stages.partition), planConstants(method)),
       .store = storeDepth_,
       .storeMasked = storeDepthMasked_,
-      .resolve = fullscreen(lookupShader(stages.lookup), VK_FORMAT_R32_SFLOAT, lookupConstants(method)),
+      .resolve = fullscreen(lookupShader(stages.lookup), VK_FORMAT_R32_SFLOAT,
+                            resolveConstants(method, shared::kAnswerVisibility)),
       .answers = fullscreen("answers.frag", VK_FORMAT_R32G32B32A32_UINT, lookupConstants(method))};
   // A pipeline that isn't used would still be compiled: a cold start is short of that time.
   const bool samples = asksSamples(stages);
@@ -213,6 +230,11 @@ RasterPipelines FramePipelines::raster(const RasterChoice& choice, bool opaque, 
         .bands = round("raster_bands.comp", "raster_bands_id.comp", "raster_bands_sum.comp")};
   }
   return made;
+}
+
+VkPipeline FramePipelines::classify(const Method& method) {
+  return fullscreen(lookupShader(method.stages->lookup), VK_FORMAT_R32_SFLOAT,
+                    resolveConstants(method, shared::kAnswerOneTriangle));
 }
 
 VkPipeline FramePipelines::drawing(const GraphicsPipelineInfo& info) {

@@ -27,7 +27,7 @@ struct MethodPipelines {
 
 // What the compute rasteriser does to a texel, in the numbers of shared/raster.h.
 struct RasterChoice {
-  bool ids = false;  // 64 bits a texel, depth and triangle, instead of 32 of depth
+  bool ids = false;   // 64 bits a texel, depth and triangle, instead of 32 of depth
   bool sums = false;  // 32 bits a texel, of a sum over all triangles: tests alone
   std::uint32_t coverage = 0;
 };
@@ -47,6 +47,8 @@ class FramePipelines {
 
   // Made when they are first asked for. A method with a map; one without has no pipelines of its own.
   MethodPipelines of(const Method&);
+  // How lookup=spsm answers, in the numbers of shared/choices.h, in the place of what it answers.
+  VkPipeline classify(const Method&);
   RasterPipelines raster(const RasterChoice&, bool opaque, bool masked);
   // The same for passes beside the stages.
   VkPipeline compute(std::string_view shader, const Specialization&);
@@ -57,6 +59,7 @@ class FramePipelines {
   Pipeline gbuffer, gbufferMasked, samples;
   Pipeline cullTest, cullWrite;
   Pipeline shade, shadePlain;  // plain: a scene without textures and vertex colours
+  TexelBuffer tables;          // lookup_tables.h
 
  private:
   // Told apart by their shaders alone.

@@ -41,7 +41,7 @@ std::vector<WorldBox> worldBoxes(const SceneBuffers& buffers, const glm::dvec3& 
 }
 
 void cullOnHost(const SceneBuffers& buffers, const glm::dvec3& origin, const shared::Plan& plan,
-                std::span<shared::DrawCommand> commands, std::span<std::uint32_t> counts) {
+                bool drawsAll, std::span<shared::DrawCommand> commands, std::span<std::uint32_t> counts) {
   const std::vector<WorldBox> boxes = worldBoxes(buffers, origin);
   std::ranges::fill(counts, 0u);
   for (std::uint32_t view = 0; view < plan.viewCount; ++view) {
@@ -53,7 +53,7 @@ void cullOnHost(const SceneBuffers& buffers, const glm::dvec3& origin, const sha
       std::uint32_t& count = counts[view * shared::kBuckets + bucket];
       for (std::uint32_t i = first; i < first + chunks.y * shared::kDrawsPerChunk; ++i) {
         const shared::Draw draw = buffers.draws()[i];
-        if (draw.instance == shared::kNoInstance || !reaches(boxes[i], planes)) continue;
+        if (draw.instance == shared::kNoInstance || !(drawsAll || reaches(boxes[i], planes))) continue;
         const shared::Cluster& cluster = buffers.scene().clusters[draw.cluster];
         commands[std::size_t{view} * buffers.drawCount() + first + count++] = {cluster.indexCount, 1,
                                                                                cluster.firstIndex, 0, i};

@@ -18,8 +18,8 @@ struct WorldBox {
 std::vector<WorldBox> worldBoxes(const SceneBuffers&, const glm::dvec3& origin);
 
 // One view after another: `commands` has drawCount() a view, each bucket's from where the bucket begins;
-// `counts` has kBuckets a view. Instances are placed relative to `origin`.
-void cullOnHost(const SceneBuffers&, const glm::dvec3& origin, const shared::Plan&,
+// `counts` has kBuckets a view. Instances are placed relative to `origin`. `drawsAll`: views aren't culled.
+void cullOnHost(const SceneBuffers&, const glm::dvec3& origin, const shared::Plan&, bool drawsAll,
                 std::span<shared::DrawCommand> commands, std::span<std::uint32_t> counts);
 
 }  // namespace sundial

@@ -17,7 +17,8 @@ TexelBuffer makeMaps(const Device& device, std::uint64_t texels, std::uint64_t b
 }
 
 RasterChoice rasterOf(const Stages& stages) {
-  return {.ids = stages.storage == Storage::depthId, .coverage = shared::kCoverCentre};
+  return {.ids = keepsIds(stages.storage),
+          .coverage = asksTriangles(stages.lookup) ? shared::kCoverConservative : shared::kCoverCentre};
 }
 
 }  // namespace

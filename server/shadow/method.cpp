@@ -15,6 +15,7 @@ std::vector<Parameter> parametersOf(const MethodRow& row) {
   if (!row.stages) return all;
   for (const auto& [storage, lookup] : {std::pair(Storage::depth, Lookup::pcf),
                                         {Storage::linear, Lookup::pcf},
+                                        {Storage::triangle, Lookup::spsm},
                                         {Storage::moments, Lookup::evsm}}) {
     Stages stages = *row.stages;
     stages.storage = storage;

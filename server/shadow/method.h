@@ -54,6 +54,7 @@ struct Method {
   std::map<std::string, std::string> parameters;  // every parameter of the row, as text, defaults filled in
   std::optional<Stages> stages;
   struct Settings {
+    bool cull = true;                      // clusters, for each shadow view
     unsigned width = 2048, height = 2048;  // texels of every map
     double percentile = 0;                 // resolution=estimated, of the pixels' sizes, in [0, 50]
     PlanTiming plan = PlanTiming::gpu;
@@ -71,7 +72,9 @@ struct Method {
     std::optional<double> importanceRange;  // metres; none: by a rule
     double biasTexels = 0;                  // towards the light, texels of the map at the receiver
     std::optional<double> biasWorld;       // towards the light, metres; none: a share of the scene's diagonal
-    unsigned kernel = 3;                   // pcf, texels a side
+    unsigned kernel = 3;                   // pcf, rgsm and spsm, texels a side
+    bool recovery = true;                  // spsm: of shadows' edges
+    unsigned positions = 1;                // spsm: in an uncertain pixel
     std::vector<double> exponents;         // storage=moments: positive and negative
     double blur = 0;                       // metres
     double bleedReduction = 0;             // in [0, 1)

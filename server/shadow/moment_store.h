@@ -16,7 +16,7 @@ class MomentStore : public Store {
   MomentStore(const Device&, FramePipelines&, const Method&, const shared::FrameConstants&);
 
   void record(VkCommandBuffer, const DrawView& draw) const override;
-  bool filters() const override { return true; }
+  std::string_view filterName() const override { return "filter"; }
   void filter(VkCommandBuffer) const override;
   void bindTo(BindingSet&) const override;
   std::uint64_t texels() const override;

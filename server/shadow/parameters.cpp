@@ -26,6 +26,7 @@ const std::vector<Rule>& rules() {
   constexpr auto always = [](const Stages&) { return true; };
   constexpr auto cuts = [](const Stages& s) { return cutsDepth(s.partition); };
   constexpr auto biased = [](const Stages& s) { return s.lookup != Lookup::evsm; };
+  constexpr auto spsm = [](const Stages& s) { return s.lookup == Lookup::spsm; };
   constexpr auto moments = [](const Stages& s) { return s.storage == Storage::moments; };
   constexpr auto tiles = [](const Stages& s) { return s.partition == Partition::tiles; };
   static const std::vector<Rule> all = {
@@ -104,6 +105,16 @@ const std::vector<Rule>& rules() {
                     : text == "compute" ? Raster::compute
                                         : Raster::automatic;
        }},
+      {{.name = "cull",
+        .kind = Kind::choice,
+        .unit = "",
+        .defaultValue = "clusters",
+        .description =
+            "clusters: each map draws those that reach it; none: each draws everything, as where one mesh "
+            "spans the scene and meshes are culled whole",
+        .choices = {"clusters", "none"}},
+       always,
+       [](const std::string& text, Method::Settings& s) { s.cull = text == "clusters"; }},
       {{.name = "partitions",
         .kind = Kind::integer,
         .unit = "1",
@@ -231,9 +242,31 @@ const std::vector<Rule>& rules() {
         .min = 1,
         .max = 15,
         .defaultValue = "3",
-        .description = "side of the filter's box; with lookup=pcf"},
-       [](const Stages& s) { return s.lookup == Lookup::pcf; },
+        .description =
+            "side of the filter's box; with lookup=pcf; of the square of texels whose triangles are "
+            "tried, an odd number; with lookup=rgsm and lookup=spsm"},
+       [](const Stages& s) { return s.lookup == Lookup::pcf || asksTriangles(s.lookup); },
        [](const std::string& text, Method::Settings& s) { s.kernel = countIn(text); }},
+      {{.name = "recovery",
+        .kind = Kind::choice,
+        .unit = "",
+        .defaultValue = "on",
+        .description =
+            "on: where no stored triangle decides, the shadow's edge is rebuilt; off: such samples are "
+            "lit; with lookup=spsm",
+        .choices = {"on", "off"}},
+       spsm,
+       [](const std::string& text, Method::Settings& s) { s.recovery = text == "on"; }},
+      {{.name = "positions",
+        .kind = Kind::choice,
+        .unit = "1",
+        .defaultValue = "1",
+        .description =
+            "how many places of a pixel the rebuilt edge is asked for: 1 is the sample itself; with "
+            "lookup=spsm",
+        .choices = {"1", "2", "4", "8"}},
+       spsm,
+       [](const std::string& text, Method::Settings& s) { s.positions = countIn(text); }},
       {{.name = "exponents",
         .kind = Kind::list,
         .unit = "1",
@@ -335,11 +368,12 @@ std::optional<std::string> whyInconsistent(const Stages& stages, const Method::S
       (stages.volume == Volume::scene || stages.volume == Volume::frustum))
     return "plan=delayed uses what the samples of the frame before said, and this plan asks none: use "
            "plan=gpu";
+  if (asksTriangles(stages.lookup) && settings.kernel % 2 == 0)
+    return fmt::format("kernel: {} texels have no middle one: give an odd number", settings.kernel);
   if (stages.storage == Storage::moments && settings.exponents.size() != 2)
     return fmt::format("exponents: {} of them; give the positive and the negative one: 40:5",
                        settings.exponents.size());
-  if ((stages.storage == Storage::linear || stages.storage == Storage::depthId) &&
-      settings.raster == Raster::pipeline)
+  if ((stages.storage == Storage::linear || keepsIds(stages.storage)) && settings.raster == Raster::pipeline)
     return "maps in one linear buffer are drawn by compute, because the pipeline draws into images: use "
            "raster=compute";
   if (stages.partition == Partition::tiles) {

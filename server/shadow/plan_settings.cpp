@@ -121,6 +121,7 @@ void settle(shared::FrameConstants& c, const Method& method, const dvec3& origin
   const Method::Settings& from = method.settings;
   shared::PlanSettings& to = c.settings;
   to.mapSize = {from.width, from.height};
+  to.drawsAll = from.cull ? 0 : 1;
   to.partitions = from.partitions;
   to.mapColumns = mapColumnsOf(method);
   c.storeSize = to.mapSize;

@@ -15,7 +15,7 @@ bool fitsBuffer(const Method& method, const Device& device) {
 
 Method withRaster(Method method, const Device& device, std::uint64_t triangles) {
   if (!method.stages || method.settings.raster != Raster::automatic) return method;
-  if (method.stages->storage == Storage::linear || method.stages->storage == Storage::depthId) {
+  if (method.stages->storage == Storage::linear || keepsIds(method.stages->storage)) {
     method.settings.raster = Raster::compute;
   } else if (method.stages->storage == Storage::moments || !fitsBuffer(method, device)) {
     method.settings.raster = Raster::pipeline;
@@ -25,7 +25,7 @@ Method withRaster(Method method, const Device& device, std::uint64_t triangles) 
   return method;
 }
 
-std::uint64_t linearBytesPerTexel(const Stages& stages) { return stages.storage == Storage::depthId ? 8 : 4; }
+std::uint64_t linearBytesPerTexel(const Stages& stages) { return keepsIds(stages.storage) ? 8 : 4; }
 
 bool isLinear(const Method& method) { return method.stages && method.settings.raster == Raster::compute; }
 

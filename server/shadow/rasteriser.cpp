@@ -105,7 +105,7 @@ bool Rasteriser::overflowed() const {
 }
 
 void Rasteriser::makeRoom() {
-  const auto enough = [](std::uint32_t room, const shared::uint (&asked)[shared::kRasterKinds]) {
+  const auto enough = [](std::uint32_t room, const shared::uint(&asked)[shared::kRasterKinds]) {
     const std::uint32_t most = *std::max_element(std::begin(asked), std::end(asked));
     return most > room ? most + most / 4 : room;
   };

@@ -30,8 +30,8 @@ const std::array<StageText, 7>& stageTexts() {
       stageText<&Stages::warp>("warp", {"none"}),
       stageText<&Stages::focus>("focus", {"loose", "depth", "aabb", "aligned", "snapped", "calipers"}),
       stageText<&Stages::resolution>("resolution", {"fixed", "ranked", "listed", "estimated"}),
-      stageText<&Stages::storage>("storage", {"depth", "linear", "depth-id", "moments"}),
-      stageText<&Stages::lookup>("lookup", {"hard", "pcf", "exact-3x3", "evsm"})};
+      stageText<&Stages::storage>("storage", {"depth", "linear", "depth-id", "triangle", "moments"}),
+      stageText<&Stages::lookup>("lookup", {"hard", "pcf", "exact-3x3", "rgsm", "spsm", "evsm"})};
   return texts;
 }
 
@@ -98,6 +98,12 @@ std::optional<std::string> whyImpossible(const Stages& stages) {
     return "tiles of different sizes don't fit an image: use storage=linear or storage=depth-id";
   if (stages.lookup == Lookup::exact3x3 && stages.storage != Storage::depthId)
     return "lookup=exact-3x3 asks which triangle a texel holds: use it with storage=depth-id";
+  if (asksTriangles(stages.lookup) && !keepsIds(stages.storage))
+    return "lookup=spsm and lookup=rgsm ask which triangle a texel holds: use them with storage=triangle or "
+           "storage=depth-id";
+  if (stages.storage == Storage::triangle && !asksTriangles(stages.lookup))
+    return "storage=triangle is read by lookup=spsm and lookup=rgsm alone: use one of them, or another "
+           "storage";
   if ((stages.storage == Storage::moments) != (stages.lookup == Lookup::evsm))
     return "moments of depth are read by lookup=evsm, and by nothing else: use it with storage=moments";
   if (stages.focus == Focus::depth && !tiles)

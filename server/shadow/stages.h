@@ -17,8 +17,8 @@ enum class Warp { none };                                             // how eac
 enum class Focus { loose, depth, aabb, aligned, snapped, calipers };  // how tight each part's frustum is
 enum class Resolution { fixed, ranked, listed, estimated };           // how many texels each part gets
 // What a texel holds, and where; depthId: which triangle's depth it is, too.
-enum class Storage { depth, linear, depthId, moments };
-enum class Lookup { hard, pcf, exact3x3, evsm };  // how a view sample asks
+enum class Storage { depth, linear, depthId, triangle, moments };
+enum class Lookup { hard, pcf, exact3x3, rgsm, spsm, evsm };  // how a view sample asks
 
 struct Stages {
   Volume volume;
@@ -35,6 +35,9 @@ inline bool asksSamples(const Stages& s) {
   return s.volume == Volume::samples || s.volume == Volume::inscribed ||
          s.resolution == Resolution::estimated;
 }
+inline bool keepsIds(Storage s) { return s == Storage::depthId || s == Storage::triangle; }
+// Lookups that want every triangle in every texel that it touches.
+inline bool asksTriangles(Lookup l) { return l == Lookup::rgsm || l == Lookup::spsm; }
 inline bool cutsDepth(Partition p) { return p != Partition::single && p != Partition::tiles; }
 
 // "volume", ... in the order of execution.

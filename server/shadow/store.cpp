@@ -9,6 +9,7 @@
 #include "shadow/moment_store.h"
 #include "shadow/plan_settings.h"
 #include "shadow/raster_choice.h"
+#include "shadow/triangle_store.h"
 #include "shared/bindings.h"
 
 namespace sundial {
@@ -34,10 +35,11 @@ std::uint64_t texelsOf(const shared::Plan& plan) {
 std::optional<std::string> whyTooLarge(const Method& method, const Device& device) {
   if (!method.stages) return std::nullopt;
   const std::uint64_t views = shadowViewsOf(method);
-  const bool ids = method.stages->storage == Storage::depthId;
+  const bool ids = keepsIds(method.stages->storage);
   if (ids && !device.hasInt64Atomics())
-    return "storage=depth-id keeps depths and triangles by 64-bit atomics, which this device can't: use "
-           "storage=depth";
+    return "storage=depth-id and storage=triangle keep depths and triangles by 64-bit atomics, which this "
+           "device "
+           "can't: use storage=depth";
   if (ids || method.stages->storage == Storage::linear || method.settings.raster == Raster::compute) {
     const std::uint64_t bytes = texelsOf(mapSizesOf(method)) * linearBytesPerTexel(*method.stages);
     const std::uint64_t most = device.limits().maxStorageBufferRange;
@@ -66,6 +68,8 @@ std::optional<std::string> whyTooLarge(const Method& method, const Device& devic
 
 std::unique_ptr<Store> makeStore(const Device& device, FramePipelines& pipelines, const Method& method,
                                  const shared::FrameConstants& constants) {
+  if (method.stages->storage == Storage::triangle)
+    return std::make_unique<TriangleStore>(device, pipelines, method, constants);
   if (isLinear(method)) return std::make_unique<LinearStore>(device, pipelines, method, constants);
   if (method.stages->storage == Storage::moments)
     return std::make_unique<MomentStore>(device, pipelines, method, constants);
@@ -96,9 +100,10 @@ void drawPlaced(VkCommandBuffer command, const glm::uvec2& viewport, VkExtent2D 
   for (std::uint32_t view = 0; view < views; ++view) draw(view);
 }
 
-void bindNoStore(BindingSet& bindings, const GpuImage& unread, VkSampler sampler, const TexelBuffer& unreadToo) {
-  for (const std::uint32_t binding :
-       {shared::kBindStore, shared::kBindMultisampled, shared::kBindMoments, shared::kBindBlurred})
+void bindNoStore(BindingSet& bindings, const GpuImage& unread, VkSampler sampler,
+                 const TexelBuffer& unreadToo) {
+  for (const std::uint32_t binding : {shared::kBindStore, shared::kBindMultisampled, shared::kBindMoments,
+                                      shared::kBindBlurred, shared::kBindHeld})
     bindings.set(binding, unread, sampler);
   for (const std::uint32_t binding : {shared::kBindLinear, shared::kBindRaster, shared::kBindListed,
                                       shared::kBindParts, shared::kBindBands})
@@ -107,7 +112,8 @@ void bindNoStore(BindingSet& bindings, const GpuImage& unread, VkSampler sampler
 }
 
 TexelBuffer unreadBuffer(const Device& device) {
-  return {device, Buffer(device, 0, VK_BUFFER_USAGE_STORAGE_BUFFER_BIT | VK_BUFFER_USAGE_UNIFORM_TEXEL_BUFFER_BIT),
+  return {device,
+          Buffer(device, 0, VK_BUFFER_USAGE_STORAGE_BUFFER_BIT | VK_BUFFER_USAGE_UNIFORM_TEXEL_BUFFER_BIT),
           VK_FORMAT_R32_UINT, 4};
 }
 

@@ -35,8 +35,8 @@ class Store {
   virtual bool again() { return false; }
   // What the device's statistics don't know of the recorded work, now done.
   virtual std::vector<Work> work() const { return {}; }
-  // Makes lookups of drawn maps smoother, in a pass of its own.
-  virtual bool filters() const { return false; }
+  // Makes of drawn maps what lookups read, in a pass of its own.
+  virtual std::string_view filterName() const { return {}; }  // empty: there is none
   virtual void filter(VkCommandBuffer) const {}
   // Takes the memory that this plan needs, where sizes are the plan's: what was bound before is gone.
   virtual void fit(const shared::Plan&) {}

@@ -102,6 +102,37 @@ std::span<const StabilityCase> stabilityCases() {
                     .methods = "iasm-delayed iasm",
                     .measure = "pop",
                     .failsAbove = 0.02},
+      StabilityCase{
+          .name = "iasm-corner",
+          .sentence = "The camera looks over the corner where four tiles meet, and only one of them can "
+                      "have the largest size; with the square turned, it looks along the middle of tiles.",
+          .scene = "builtin:grid?n=40",
+          .view = "telephoto",
+          .light = "sun",
+          .methods =
+              "iasm,extent=40,tile_sizes=512:32:32:32:32:32:32:32:32:32:32:32:32:32:32:32 "
+              "iasm,extent=40,placement=column,tile_sizes=512:32:32:32:32:32:32:32:32:32:32:32:32:32:32:32",
+          .measure = "wrong_rate",
+          .failsAbove = 0.01},
+      StabilityCase{.name = "iasm-scene-wide",
+                    .sentence = "One mesh spans the scene: where meshes are culled whole, every tile draws "
+                                "everything; its clusters are in few tiles each.",
+                    .scene = "builtin:village",
+                    .view = "main",
+                    .light = "sun",
+                    .methods = "iasm,cull=none iasm",
+                    .measure = "drawn",
+                    .failsAbove = 8},
+      StabilityCase{.name = "evsm-overlap",
+                    .sentence =
+                        "Casters overlap with gaps of depth between them: what is farther is lit through "
+                        "the nearer one's edges, unless small lights count as none.",
+                    .scene = "builtin:grid?n=40",
+                    .view = "shadows",
+                    .light = "low",
+                    .methods = "evsm,bleed_reduction=0 evsm,bleed_reduction=0.6",
+                    .measure = "bleed",
+                    .failsAbove = 0.02},
       StabilityCase{.name = "far-from-origin",
                     .sentence =
                         "The scene lies 140 km from the origin, where single precision is 16 mm coarse: "

@@ -36,6 +36,9 @@ struct StabilityFrame {
   std::uint64_t flips = 0;  // of them: the method's answer changed and the truth didn't
   std::uint64_t seen = 0;   // points seen in this frame
   std::uint64_t wrong = 0;  // of them: the method's answer isn't the truth
+  std::uint64_t dark = 0;   // of those seen: no light reaches them in truth
+  double bleed = 0;         // the light that the method gives to them, summed
+  double drawn = 0;         // triangles in all maps over the scene's
   double texelJump = 0;     // largest |log2| of a shadow view's texel size now to its size before
 };
 
@@ -58,6 +61,8 @@ struct StabilityResult {
   double pop = 0;            // the largest share of pairs that flip in one frame
   double wrongRate = 0;      // all frames' wrong / seen
   double texelJump = 0;      // the largest of the frames'
+  double bleed = 0;          // mean light where in truth is none
+  double drawn = 0;          // mean of the frames'
   std::vector<StabilityFrame> frames;
 };
 

@@ -36,19 +36,21 @@ SUNDIAL_CONST kBindEdges = 20u;         // RGBA32UI: Edge
 SUNDIAL_CONST kBindEdgeSides = 21u;     // R32UI: triangles about edges
 SUNDIAL_CONST kBindClusterEdges = 22u;  // RG32UI: first and number of the edges of a cluster
 SUNDIAL_CONST kBindPlanes = 23u;        // RGBA32F: a triangle's plane, mesh space
-SUNDIAL_CONST kTexelBindings = 24u;
+SUNDIAL_CONST kBindTables = 24u;        // RG32UI: slopes and patterns, lookup_tables.h
+SUNDIAL_CONST kTexelBindings = 25u;
 
-SUNDIAL_CONST kBindTextures = 24u;      // sampler2DArray: base colour
-SUNDIAL_CONST kBindDepth = 25u;         // sampler2D: the G-buffer's depth
-SUNDIAL_CONST kBindIds = 26u;           // usampler2D: the G-buffer's draw and triangle
-SUNDIAL_CONST kBindPositions = 27u;     // usampler2D: view samples, position's bits and instance
-SUNDIAL_CONST kBindNormals = 28u;       // usampler2D: view samples, normal's bits and triangle
-SUNDIAL_CONST kBindStore = 29u;         // sampler2D: the shadow maps
-SUNDIAL_CONST kBindVisibility = 30u;    // sampler2D: what resolve wrote
-SUNDIAL_CONST kBindMultisampled = 31u;  // sampler2DMS: the depths of one view, storage=moments
-SUNDIAL_CONST kBindMoments = 32u;       // sampler2DArray: a layer a view
-SUNDIAL_CONST kBindBlurred = 33u;       // sampler2DArray: a view half-way through its blur
-SUNDIAL_CONST kBindCount = 34u;
+SUNDIAL_CONST kBindTextures = 25u;      // sampler2DArray: base colour
+SUNDIAL_CONST kBindDepth = 26u;         // sampler2D: the G-buffer's depth
+SUNDIAL_CONST kBindIds = 27u;           // usampler2D: the G-buffer's draw and triangle
+SUNDIAL_CONST kBindPositions = 28u;     // usampler2D: view samples, position's bits and instance
+SUNDIAL_CONST kBindNormals = 29u;       // usampler2D: view samples, normal's bits and triangle
+SUNDIAL_CONST kBindStore = 30u;         // sampler2D: the shadow maps
+SUNDIAL_CONST kBindVisibility = 31u;    // sampler2D: what resolve wrote
+SUNDIAL_CONST kBindMultisampled = 32u;  // sampler2DMS: the depths of one view, storage=moments
+SUNDIAL_CONST kBindMoments = 33u;       // sampler2DArray: a layer a view
+SUNDIAL_CONST kBindBlurred = 34u;       // sampler2DArray: a view half-way through its blur
+SUNDIAL_CONST kBindHeld = 35u;          // usampler2D: packed triangles, storage=triangle
+SUNDIAL_CONST kBindCount = 36u;
 
 SUNDIAL_SHARED_END
 #endif

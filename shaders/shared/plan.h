@@ -50,6 +50,7 @@ struct Plan {
 // What the method's parameters and the host say to the stages before storage.
 struct PlanSettings {
   uvec2 mapSize;    // texels of each map
+  uint drawsAll;    // 1: views aren't culled
   uint mapColumns;  // maps in a row of the store's image
   uint partitions;
   float depthNear;  // camera depths that splits are made between (volume=frustum) and that the histogram

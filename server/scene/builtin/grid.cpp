@@ -68,6 +68,7 @@ void makeGrid(SceneBuilder& builder, const Values& values) {
   builder.addView(placed("close", {2.6, 1.5, 3.4}, {0.5, 0, 0.5}, 50));
   builder.addView(placed("sky", {0, 4, 0}, {0.5, 9, 0.5}, 60));
   builder.addView(placed("shadows", {0, 0.45, 0}, {0.1, 0, 0.07}, 90));
+  builder.addView(placed("telephoto", {11, 9, 13}, {0.3, 0, 0.3}, 5));
   builder.addLight(sun("sun", 50, 0.1));
   builder.addLight(sun("low", 5, 0.07));
   builder.addLight(sun("noon", 85, 0.3));

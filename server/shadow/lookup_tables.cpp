@@ -1,0 +1,26 @@
+#include "shadow/lookup_tables.h"
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+
+#include "shared/silhouette.h"
+#include "shared/triangle_texel.h"
+
+namespace sundial {
+
+std::vector<glm::uvec2> lookupTables() {
+  std::vector<glm::uvec2> texels;
+  for (unsigned code = 0; code < shared::kSlopeCodes; ++code) {
+    const auto at = [](float c) { return shared::slopeOfCode(c); };
+    const auto middle = static_cast<float>(code);
+    const float error =
+        std::max(std::abs(at(middle + 0.5f) - at(middle)), std::abs(at(middle) - at(middle - 0.5f)));
+    texels.emplace_back(std::bit_cast<std::uint32_t>(at(middle)), std::bit_cast<std::uint32_t>(error));
+  }
+  for (unsigned pattern = 0; pattern < 256; ++pattern)
+    texels.emplace_back(shared::edgesOfPattern(pattern), 0);
+  return texels;
+}
+
+}  // namespace sundial

@@ -1,0 +1,42 @@
+#include "shadow/triangle_store.h"
+
+#include "gpu/rendering.h"
+#include "shared/bindings.h"
+#include "shared/triangle_texel.h"
+
+namespace sundial {
+
+namespace {
+
+VkExtent2D extentOf(std::uint64_t texels) {
+  return {shared::kHeldPitch,
+          static_cast<std::uint32_t>((texels + shared::kHeldPitch - 1) / shared::kHeldPitch)};
+}
+
+}  // namespace
+
+TriangleStore::TriangleStore(const Device& device, FramePipelines& pipelines, const Method& method,
+                             const shared::FrameConstants& constants)
+    : ids_(device, pipelines, method, constants),
+      pack_(pipelines.fullscreen("pack_triangles.frag", VK_FORMAT_R32G32B32A32_UINT, {})),
+      packed_(device, extentOf(ids_.texels()), VK_FORMAT_R32G32B32A32_UINT,
+              VK_IMAGE_USAGE_COLOR_ATTACHMENT_BIT | VK_IMAGE_USAGE_SAMPLED_BIT),
+      nearest_(makeSampler(device, VK_FILTER_NEAREST)) {
+  device.submit([&](VkCommandBuffer command) {
+    transition(command, packed_, VK_IMAGE_LAYOUT_UNDEFINED, VK_IMAGE_LAYOUT_SHADER_READ_ONLY_OPTIMAL);
+  });
+}
+
+void TriangleStore::filter(VkCommandBuffer command) const {
+  renderInto(command, {&packed_}, nullptr, [&] {
+    vkCmdBindPipeline(command, VK_PIPELINE_BIND_POINT_GRAPHICS, pack_);
+    vkCmdDraw(command, 3, 1, 0, 0);
+  });
+}
+
+void TriangleStore::bindTo(BindingSet& bindings) const {
+  ids_.bindTo(bindings);
+  bindings.set(shared::kBindHeld, packed_, nearest_);
+}
+
+}  // namespace sundial

@@ -1,0 +1,22 @@
+#version 460
+#extension GL_GOOGLE_include_directive : require
+// storage=triangle: packs the triangle that is nearest to the light in each texel. All views' texels lie one behind the
+// other in rows of kHeldPitch.
+#include "map_triangle.glsl"
+
+layout(location = 0) out uvec4 outTriangle;
+
+void main() {
+  const uint index = uint(gl_FragCoord.y) * kHeldPitch + uint(gl_FragCoord.x);
+  outTriangle = uvec4(0);
+  uint view = 0;
+  while (view < plan.viewCount && index - plan.views[view].linearOffset >=
+                                      plan.views[view].rectSize.x * plan.views[view].rectSize.y)
+    ++view;
+  if (view == plan.viewCount || plan.views[view].empty != 0 || linearStore[2 * index + 1] == 0) return;
+  const uint within = index - plan.views[view].linearOffset;
+  const uvec2 size = plan.views[view].rectSize;
+  const vec2 centre = (vec2(within % size.x, within / size.x) + 0.5) / vec2(size);
+  uvec2 owner;
+  outTriangle = packedTriangle(mapTriangle(view, linearStore[2 * index], centre, owner), centre);
+}

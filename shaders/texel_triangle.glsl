@@ -1,0 +1,71 @@
+// The triangle that a texel holds, in units of texels about the texel's centre: unpacked (storage=triangle), or looked
+// up by its id with all its corners' precision (storage=depth-id).
+#ifndef SUNDIAL_TEXEL_TRIANGLE_GLSL
+#define SUNDIAL_TEXEL_TRIANGLE_GLSL
+#include "map_triangle.glsl"
+#include "shared/silhouette.h"
+#include "stored_depth.glsl"
+
+struct Held {
+  bool exists;
+  TexelTriangle t;
+  float depthError;  // at most, of what packing rounded; 0 where nothing was packed
+  vec2 slopeError;
+  uvec2 owner;  // instance and triangle; kNoInstance where they aren't known
+};
+
+Held noTriangle() {
+  Held held;
+  held.exists = false;
+  held.t = TexelTriangle(vec2[3](vec2(0), vec2(0), vec2(0)), 0.0, vec2(0));
+  held.depthError = 0;
+  held.slopeError = vec2(0);
+  held.owner = uvec2(kNoInstance, 0);
+  return held;
+}
+
+Held unpacked(uint view, ivec2 texel) {
+  Held held = noTriangle();
+  const uint index = indexInStore(view, texel);
+  const uvec4 packed_ = texelFetch(heldTriangles, ivec2(index % kHeldPitch, index / kHeldPitch), 0);
+  held.exists = packed_.w != 0;
+  const vec2 size = vec2(plan.views[view].rectSize), centre = vec2(texel) + 0.5;
+  for (int i = 0; i < 3; ++i) held.t.corners[i] = cornerOfCode(packed_[i]) * size - centre;
+  const vec2 right = uintBitsToFloat(texelFetch(tableTexels, int(packed_.w >> 8 & 0xffu)).xy);
+  const vec2 down = uintBitsToFloat(texelFetch(tableTexels, int(packed_.w & 0xffu)).xy);
+  held.t.depth = depthOfCode(packed_.w >> 16);
+  held.t.slope = vec2(right.x, down.x) / size;
+  held.depthError = 0.5 / kDepthSteps;
+  held.slopeError = vec2(right.y, down.y) / size;
+  return held;
+}
+
+Held lookedUp(uint view, ivec2 texel) {
+  Held held = noTriangle();
+  const uint index = 2 * indexInStore(view, texel);
+  held.exists = linearStore[index + 1] != 0;
+  if (!held.exists) return held;
+  const vec2 size = vec2(plan.views[view].rectSize), centre = vec2(texel) + 0.5;
+  const MapTriangle m = mapTriangle(view, linearStore[index], centre / size, held.owner);
+  for (int i = 0; i < 3; ++i) held.t.corners[i] = m.corners[i] * size - centre;
+  held.t.depth = m.depth;
+  held.t.slope = m.slope / size;
+  return held;
+}
+
+Held heldIn(uint view, ivec2 texel) {
+  return kStore == kStoreTriangles ? unpacked(view, texel) : lookedUp(view, texel);
+}
+
+// How much farther than it seems the triangle may be.
+float errorAt(Held held, vec2 at) { return held.depthError + dot(held.slopeError, abs(at)); }
+
+bool isOwner(Held held, ViewSample s) { return held.owner == uvec2(s.instance, s.triangle); }
+
+// Whether it is between a point of the map and the light.
+bool hides(Held held, ViewSample s, vec2 at, float depth) {
+  return held.exists && !isOwner(held, s) && planeDepth(held.t, at) - errorAt(held, at) > depth &&
+         containsPoint(held.t, at);
+}
+
+#endif

@@ -11,9 +11,9 @@ bool fitsBuffer(const Method& method, const Device& device) {
          device.limits().maxStorageBufferRange;
 }
 
-// Up to how many texels of all maps to a triangle of the scene the compute rasteriser is the faster one on a CPU
-// driver: triangles cost the pipeline more, and texels less. Maps of what the camera sees leave triangles out and show
-// the others larger. `sundial-bench-raster ratios` prints what this rests on.
+// Up to how many texels of all maps to a triangle of the scene the compute rasteriser is the faster one on a
+// CPU driver: triangles cost the pipeline more, and texels less. Maps of what the camera sees leave triangles
+// out and show the others larger. `sundial-bench-raster ratios` prints what this rests on.
 double mostTexelsToATriangle(Volume volume) {
   switch (volume) {
     case Volume::scene:

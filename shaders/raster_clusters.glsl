@@ -1,6 +1,6 @@
 // The first round: every triangle of the clusters that reach a view, an invocation each. Small ones are drawn at once;
 // those that are large, or reach beyond the map, are listed for the second.
-#include "raster.glsl"
+#include "raster_fill.glsl"
 
 layout(local_size_x = kMaxClusterTriangles) in;
 
@@ -36,21 +36,12 @@ void main() {
   if ((a & b & c) != 0) return;
   const bool inside = (a | b | c) == 0;
 
-  const uvec2 offset = plan.views[push.view].rectOffset, size = plan.views[push.view].rectSize;
   Placed p[3];
-  for (int i = 0; i < 3; ++i) p[i] = placedIn(corners[i], offset, size);
-  const ivec4 box = texelBox(p, size);
+  for (int i = 0; i < 3; ++i) p[i] = placedIn(push.view, corners[i]);
+  const ivec4 box = texelBox(push.view, p);
   if (inside && isEmpty(box)) return;
-  if (!inside || !isSmall(p, box)) {
+  if (inside && isSmall(p, box))
+    drawSmall(push.view, id, p, box, materialOf(id));
+  else
     list(id);
-    return;
-  }
-  ivec2 grid[3] = {p[0].grid, p[1].grid, p[2].grid};
-  const ivec2 along = grid[1] - grid[0], across = grid[2] - grid[0];
-  if (along.x * across.y - along.y * across.x < 0) {
-    grid[1] = p[2].grid;
-    grid[2] = p[1].grid;
-  }
-  fill(push.view, id, edgesNear(grid, box.xy), varyingOver(p, box.xy), box,
-       kMasked ? clusters[drawAt(command.firstInstance).cluster].material : 0);
 }

@@ -1,6 +1,6 @@
 // The second round: listed triangles, an invocation each. Clipped at the sides of the map, as lavapipe's pipeline clips
 // them, they fall into up to five parts; small parts are drawn at once, large ones are cut into bands.
-#include "raster.glsl"
+#include "raster_fill.glsl"
 
 layout(local_size_x = 64) in;
 
@@ -58,23 +58,21 @@ int clipped(inout Corner corners[kMaxPolygon], int n, uint side) {
   return count;
 }
 
-// Turned so that the inside of its edges is positive.
-bool turnsBack(ivec2 p[3]) {
-  const ivec2 along = p[1] - p[0], across = p[2] - p[0];
-  return scaledSum(along.x, across.y, -along.y, across.x, 0) < 0;
-}
-
-void cutIntoBands(uint view, uint id, ivec2 grid[3], Varying v, ivec4 box) {
+void cutIntoBands(uint view, uint id, Placed p[3], ivec4 box) {
   const uint part = atomicAdd(raster.partCount[kKind], 1);
   const uint count = uint(box.w - box.y) / kBandRows + 1;
   const uint first = atomicAdd(raster.bandCount[kKind], count);
   if (part >= push.partRoom || first + count > push.bandRoom) return;
+  ivec2 grid[3] = {p[0].grid, p[1].grid, p[2].grid};
+  turnInside(grid, false);
+  const Varying v = varyingOver(p, isWarped() ? grid[0] >> 8 : box.xy);
   RasterPart record;
   record.view = view;
   record.id = id;
   record.x = int[3](grid[0].x, grid[1].x, grid[2].x);
   record.y = int[3](grid[0].y, grid[1].y, grid[2].y);
   record.box = int[4](box.x, box.y, box.z, box.w);
+  record.from = v.from;
   record.depth = vec3(v.depth, v.depthSlope);
   record.depthRange = v.depthRange;
   if (kMasked) record.attributes = vec4[3](v.attributes, v.attributesRight, v.attributesDown);
@@ -88,20 +86,13 @@ void cutIntoBands(uint view, uint id, ivec2 grid[3], Varying v, ivec4 box) {
 void drawPart(uint view, uint id, Corner a, Corner b, Corner c, uint material) {
   // At the light itself there is nothing to divide by.
   if (!(min(min(a.clip.w, b.clip.w), c.clip.w) > kLeastW)) return;
-  const uvec2 offset = plan.views[view].rectOffset, size = plan.views[view].rectSize;
-  const Placed p[3] = {placedIn(a, offset, size), placedIn(b, offset, size), placedIn(c, offset, size)};
-  const ivec4 box = texelBox(p, size);
+  const Placed p[3] = {placedIn(view, a), placedIn(view, b), placedIn(view, c)};
+  const ivec4 box = texelBox(view, p);
   if (isEmpty(box)) return;
-  ivec2 grid[3] = {p[0].grid, p[1].grid, p[2].grid};
-  if (turnsBack(grid)) {
-    grid[1] = p[2].grid;
-    grid[2] = p[1].grid;
-  }
-  const Varying v = varyingOver(p, box.xy);
   if (isSmall(p, box))
-    fill(view, id, edgesNear(grid, box.xy), v, box, material);
+    drawSmall(view, id, p, box, material);
   else
-    cutIntoBands(view, id, grid, v, box);
+    cutIntoBands(view, id, p, box);
 }
 
 void main() {
@@ -114,6 +105,6 @@ void main() {
   for (int i = 0; i < 3; ++i) polygon[i] = corners[i];
   int n = 3;
   for (uint side = 0; side < 4; ++side) n = clipped(polygon, n, side);
-  const uint material = kMasked ? clusters[drawAt(entry.id / kMaxClusterTriangles).cluster].material : 0;
+  const uint material = materialOf(entry.id);
   for (int i = 2; i < n; ++i) drawPart(entry.view, entry.id, polygon[0], polygon[i - 1], polygon[i], material);
 }

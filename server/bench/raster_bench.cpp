@@ -1,104 +1,158 @@
-// sundial-bench-raster: the compute rasteriser against the pipeline, on built-in scenes. Times are those of
-// the clock around the store pass, interleaved run by run; ratios are medians of pairs.
+// sundial-bench-raster: the compute rasteriser against the pipeline, on built-in scenes.
+//
+//   ratios [RUNS]                                times of the store pass, as ratios: what raster=auto rests
+//   on check                                        every scene, map size and light, texel for texel time
+//   SCENE VIEW LIGHT RUNS METHOD...         the store passes of these methods, against the first
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
-#include <algorithm>
-#include <cmath>
+#include <cstdlib>
+#include <exception>
+#include <string_view>
 
-#include "scene/choose.h"
-#include "scene/load.h"
-#include "shadow/camera.h"
-#include "shadow/frame_runner.h"
+#include "bench/fragment_store.h"
+#include "bench/raster_scene.h"
+#include "shadow/linear_store.h"
 
-using namespace sundial;
+namespace sundial::bench {
 
 namespace {
-template <class T>
-T need(Result<T> r) {
-  if (!r) throw std::runtime_error(r.error().message);
-  return std::move(*r);
+
+struct Place {
+  const char *scene, *view, *light;
+};
+
+std::unique_ptr<Store> conservative(const Device& device, FramePipelines& pipelines, const Method& method,
+                                    const shared::FrameConstants& constants) {
+  return std::make_unique<LinearStore>(device, pipelines, method, constants,
+                                       RasterChoice{.coverage = shared::kCoverConservative});
 }
-double median(std::vector<double> v) {
-  std::ranges::sort(v);
-  return v[v.size() / 2];
+
+std::unique_ptr<Store> byFragments(const Device& device, FramePipelines& pipelines, const Method& method,
+                                   const shared::FrameConstants&) {
+  return std::make_unique<FragmentStore>(device, pipelines, method);
 }
+
+// One map of the whole scene: by the pipeline, by compute, with triangles, and conservatively.
+void printPayloads(const Device& device, const RasterScene& scene, const Place& place, int runs) {
+  for (const int texels : {512, 1024, 2048, 4096}) {
+    const auto pipeline = scene.frame(fmt::format("sm,texels={},raster=pipeline", texels));
+    const std::string text = fmt::format("sm,texels={},raster=compute", texels);
+    const auto plain = scene.frame(text), wide = scene.frame(text, conservative);
+    const auto ids = scene.frame(fmt::format("id,texels={},lookup=hard", texels));
+    const auto ms = storeTimes(device, {pipeline.get(), plain.get(), ids.get(), wide.get()}, runs);
+    fmt::print(
+        "{:8} {:5}  pipeline {:7.1f} ms  compute/pipeline {:.2f}  id/compute {:.2f}  conservative/compute "
+        "{:.2f}\n",
+        place.scene, texels, median(ms[0]), ratio(ms[1], ms[0]), ratio(ms[2], ms[1]), ratio(ms[3], ms[1]));
+    std::fflush(stdout);
+  }
+}
+
+void printChoices(const Device& device, const RasterScene& scene, const Place& place, int runs) {
+  for (const char* row : {"sm", "csm", "sdsm-log", "dv"})
+    for (const int texels : {256, 512, 1024, 2048}) {
+      const auto frame = [&](const char* raster) {
+        return scene.frame(fmt::format("{},texels={},raster={}", row, texels, raster));
+      };
+      const auto pipeline = frame("pipeline"), compute = frame("compute"), automatic = frame("auto");
+      const auto ms = storeTimes(device, {pipeline.get(), compute.get()}, runs);
+      const bool byCompute = automatic->drawsByCompute();
+      const double choice = ratio(ms[1], ms[0]);
+      fmt::print("{:8} {:8} {:5}  compute/pipeline {:.2f}  auto: {:8}  auto/better {:.2f}\n", place.scene,
+                 row, texels, choice, byCompute ? "compute" : "pipeline",
+                 byCompute ? std::max(choice, 1.0) : std::max(1 / choice, 1.0));
+      std::fflush(stdout);
+    }
+}
+
+void printTiles(const Device& device, const RasterScene& scene, const Place& place, int runs) {
+  const auto cascades = scene.frame("csm"), tiles = scene.frame("iasm"),
+             papers = scene.frame("iasm", byFragments);
+  const auto ms = storeTimes(device, {cascades.get(), tiles.get(), papers.get()}, runs);
+  fmt::print("{:8} iasm/csm {:.2f}  iasm by fragments' atomics/csm {:.2f}\n", place.scene,
+             ratio(ms[1], ms[0]), ratio(ms[2], ms[0]));
+}
+
+int printRatios(const Device& device, FramePipelines& pipelines, int runs) {
+  for (const Place& place :
+       {Place{"atrium", "main", "sun"}, {"trees", "walk", "sun"}, {"village", "fence", "noon"}}) {
+    const RasterScene scene(device, pipelines, place.scene, place.view, place.light);
+    printPayloads(device, scene, place, runs);
+    printTiles(device, scene, place, runs);
+    printChoices(device, scene, place, runs);
+  }
+  return 0;
+}
+
+int check(const Device& device, FramePipelines& pipelines) {
+  bool same = true;
+  for (const Place& place : {Place{"atrium", "main", "sun"},
+                             {"atrium", "main", "spot"},
+                             {"trees", "walk", "sun"},
+                             {"trees", "walk", "spot"},
+                             {"village", "fence", "noon"},
+                             {"observatory", "", ""},
+                             {"conference", "", ""},
+                             {"knot", "", ""},
+                             {"city", "", ""},
+                             {"grid", "low", "low"}}) {
+    const RasterScene scene(device, pipelines, place.scene, place.view, place.light);
+    for (const char* row : {"sm", "sdsm-log", "csm"})
+      for (const int texels : {512, 1024, 2048, 4096}) {
+        const auto frame = [&](const char* raster) {
+          return scene.frame(fmt::format("{},texels={},raster={}", row, texels, raster));
+        };
+        // Four maps of 4096 are more than a buffer of 128 MiB holds.
+        const auto text = fmt::format("{},texels={},raster=compute", row, texels);
+        if (const auto method = parseMethod(text); method && whyTooLarge(*method, device)) {
+          fmt::print("{:11} {:4} {:8} {:5}  too large for a buffer\n", place.scene, place.light, row, texels);
+          continue;
+        }
+        const Differences d = differences(*frame("pipeline"), *frame("compute"));
+        same = same && d.missing == 0 && d.added == 0;
+        fmt::print("{:11} {:4} {:8} {:5}  covered {:9}  missing {}  added {}  depth off by 1e-4 {}\n",
+                   place.scene, place.light, row, texels, d.covered, d.missing, d.added, d.far);
+        std::fflush(stdout);
+      }
+  }
+  return same ? 0 : 1;
+}
+
+int time(const Device& device, FramePipelines& pipelines, int argc, char** argv) {
+  const RasterScene scene(device, pipelines, argv[2], argv[3], argv[4]);
+  std::vector<std::unique_ptr<Frame>> owned;
+  std::vector<Frame*> frames;
+  for (int i = 6; i < argc; ++i) frames.push_back(owned.emplace_back(scene.frame(argv[i])).get());
+  const auto ms = storeTimes(device, frames, std::max(std::atoi(argv[5]), 1));
+  for (std::size_t f = 0; f < frames.size(); ++f)
+    fmt::print("{:40} {:8.2f} ms  ratio {:.2f}\n", argv[6 + f], median(ms[f]), ratio(ms[f], ms[0]));
+  return 0;
+}
+
+int run(int argc, char** argv) {
+  const std::string_view mode = argc > 1 ? argv[1] : "";
+  if ((mode != "ratios" || argc > 3) && (mode != "check" || argc > 2) && (mode != "time" || argc < 7)) {
+    fmt::print(stderr,
+               "sundial-bench-raster: give ratios [RUNS], check, or time SCENE VIEW LIGHT RUNS METHOD...\n");
+    return 2;
+  }
+  const auto device = Device::create("", false);
+  if (!device) throw std::runtime_error(device.error().message);
+  FramePipelines pipelines(**device);
+  if (mode == "check") return check(**device, pipelines);
+  if (mode == "time") return time(**device, pipelines, argc, argv);
+  return printRatios(**device, pipelines, argc == 3 ? std::max(std::atoi(argv[2]), 1) : 5);
+}
+
 }  // namespace
 
+}  // namespace sundial::bench
+
 int main(int argc, char** argv) {
-  const std::string mode = argv[1];
-  const std::string sceneName = argv[2], viewName = argv[3], lightName = argv[4];
-  const int repeat = std::atoi(argv[5]);
-  auto device = need(Device::create("", false));
-  FramePipelines pipelines(*device);
-  const ViewTarget target(*device, {512, 512});
-  auto scene = std::make_shared<const Scene>(need(makeBuiltin(sceneName)));
-  SceneBuffers buffers(*device, scene);
-  const View view = need(chooseView(*scene, viewName));
-  Light light = need(chooseLight(*scene, lightName));
-  light.direction = glm::normalize(light.direction);
-  const glm::dvec3 origin = frameOrigin(*scene, view);
-  buffers.moveTo(*device, origin);
-  const FrameView frameView{.device = *device,
-                            .pipelines = pipelines,
-                            .scene = buffers,
-                            .target = target,
-                            .reference = nullptr,
-                            .light = light,
-                            .origin = origin,
-                            .constants = frameConstants(*scene, view, light, target.size(), origin)};
-  std::vector<std::unique_ptr<Frame>> frames;
-  std::vector<std::string> names;
-  for (int i = 6; i < argc; ++i) {
-    names.push_back(argv[i]);
-    frames.push_back(std::make_unique<Frame>(frameView, need(parseMethod(argv[i]))));
-    need(runFrame(*device, frames.back()->passes(), {}));
-  }
-  std::vector<std::vector<double>> ms(frames.size());
-  for (int r = 0; r < repeat; ++r)
-    for (std::size_t f = 0; f < frames.size(); ++f) {
-      auto passes = frames[f]->passes();
-      std::erase_if(passes, [](const Pass& p) { return p.name != "store"; });
-      ms[f].push_back(need(runFrame(*device, passes, {})).frameMs);
-    }
-  for (std::size_t f = 0; f < frames.size(); ++f) {
-    std::vector<double> ratios;
-    for (int r = 0; r < repeat; ++r) ratios.push_back(ms[f][r] / ms[0][r]);
-    if (repeat) fmt::print("{:40} {:8.2f} ms  ratio {:.3f}\n", names[f], median(ms[f]), median(ratios));
-  }
-  if (mode == "check") {
-    const auto a = frames[0]->downloadDepths();
-    const auto plan = frames[0]->downloadPlan();
-    for (std::size_t f = 1; f < frames.size(); ++f) {
-      const auto b = frames[f]->downloadDepths();
-      const auto planB = frames[f]->downloadPlan();
-      std::size_t covered = 0, missing = 0, added = 0, depth4 = 0, depth6 = 0;
-      double worst = 0;
-      // a is an image
-      std::uint32_t width = 0;
-      for (std::uint32_t v = 0; v < plan.viewCount; ++v)
-        width = std::max(width, plan.views[v].rectOffset.x + plan.views[v].rectSize.x);
-      for (std::uint32_t v = 0; v < plan.viewCount; ++v) {
-        const auto& s = plan.views[v];
-        for (std::uint32_t y = 0; y < s.rectSize.y; ++y)
-          for (std::uint32_t x = 0; x < s.rectSize.x; ++x) {
-            const float da = a[(s.rectOffset.y + y) * width + s.rectOffset.x + x];
-            const float db = b[planB.views[v].linearOffset + y * s.rectSize.x + x];
-            covered += da > 0;
-            missing += da > 0 && !(db > 0);
-            if (da > 0 && !(db > 0) && missing < 4)
-              fmt::print("  missing view {} {} {} depth {}\n", v, x, y, da);
-            if (!(da > 0) && db > 0 && added < 4) fmt::print("  added view {} {} {} depth {}\n", v, x, y, db);
-            added += !(da > 0) && db > 0;
-            const double d = std::abs(da - db);
-            if (d > 1e-4 && depth4 < 4) fmt::print("  depth view {} {} {}: {} {}\n", v, x, y, da, db);
-            depth4 += d > 1e-4;
-            depth6 += d > 1e-6;
-            worst = std::max(worst, d);
-          }
-      }
-      fmt::print("{:40} covered {} missing {} added {} depth>1e-4 {} >1e-6 {} worst {:.2g}\n", names[f],
-                 covered, missing, added, depth4, depth6, worst);
-    }
+  try {
+    return sundial::bench::run(argc, argv);
+  } catch (const std::exception& error) {
+    fmt::print(stderr, "sundial-bench-raster: {}\n", error.what());
+    return 1;
   }
 }

@@ -23,7 +23,8 @@ DepthStore::DepthStore(const Device& device, FramePipelines& pipelines, const Me
 
 void DepthStore::make(VkExtent2D extent) {
   image_ = GpuImage(device_, extent, VK_FORMAT_D32_SFLOAT,
-                    VK_IMAGE_USAGE_DEPTH_STENCIL_ATTACHMENT_BIT | VK_IMAGE_USAGE_SAMPLED_BIT);
+                    VK_IMAGE_USAGE_DEPTH_STENCIL_ATTACHMENT_BIT | VK_IMAGE_USAGE_SAMPLED_BIT |
+                        VK_IMAGE_USAGE_TRANSFER_SRC_BIT);
   device_.submit([&](VkCommandBuffer command) {
     transition(command, image_, VK_IMAGE_LAYOUT_UNDEFINED, VK_IMAGE_LAYOUT_SHADER_READ_ONLY_OPTIMAL);
   });

@@ -5,7 +5,6 @@
 #include "gpu/rendering.h"
 #include "shadow/minimal_frustum.h"
 #include "shadow/plan_settings.h"
-#include "shadow/raster_choice.h"
 #include "shared/bindings.h"
 
 namespace sundial {
@@ -42,7 +41,7 @@ VkDeviceSize pixels(const FrameView& view) {
 
 }  // namespace
 
-Frame::Frame(const FrameView& view, const Method& method)
+Frame::Frame(const FrameView& view, const Method& method, MakeStore* make)
     : view_(view),
       method_(withRaster(method, view.device, view.scene.scene().instancedTriangles())),
       shadowViews_(shadowViewsOf(method)),
@@ -65,7 +64,7 @@ Frame::Frame(const FrameView& view, const Method& method)
   const shared::FrameConstants constants = constantsOf(view, method_);
   *constants_.mapped<shared::FrameConstants>() = constants;
   if (method.stages) {
-    store_ = makeStore(view.device, view.pipelines, method_, constants);
+    store_ = make(view.device, view.pipelines, method_, constants);
     if (method.settings.plan == PlanTiming::readback) {
       hostPlan_.emplace(view.device, sizeof(shared::Plan), 0, MemoryUse::readback);
       hostCommands_.emplace(view.device,
@@ -278,9 +277,11 @@ void Frame::cull(VkCommandBuffer command, std::uint32_t firstSlot, std::uint32_t
 void Frame::store(VkCommandBuffer command) const {
   if (hostCommands_) takeHostDraws(command);
   bindings_.bind(command);
+  const auto [opaque, masked] =
+      store_->pipelines().value_or(std::array{pipelines_->store, pipelines_->storeMasked});
   store_->record(command, [&](std::uint32_t view) {
     push(command, view);
-    drawSlot(command, 1 + view, pipelines_->store, pipelines_->storeMasked, false);
+    drawSlot(command, 1 + view, opaque, masked, false);
   });
 }
 
@@ -292,7 +293,7 @@ bool Frame::storeAgain() {
 
 std::vector<Work> Frame::storeWork() const {
   std::vector<Work> work = store_->work();
-  work.push_back({"by_compute", method_.settings.raster == Raster::compute ? 1.0 : 0.0});
+  work.push_back({"by_compute", drawsByCompute() ? 1.0 : 0.0});
   return work;
 }
 

@@ -8,6 +8,7 @@
 #include "shadow/frame_pipelines.h"
 #include "shadow/host_cull.h"
 #include "shadow/method.h"
+#include "shadow/raster_choice.h"
 #include "shadow/scene_buffers.h"
 #include "shadow/shadow_volumes.h"
 #include "shadow/store.h"
@@ -44,7 +45,8 @@ struct FrameView {
 
 class Frame {
  public:
-  Frame(const FrameView&, const Method&);
+  // `make` is another way to keep the maps: of benchmarks.
+  Frame(const FrameView&, const Method&, MakeStore* make = makeStore);
   Frame(const Frame&) = delete;
   Frame& operator=(const Frame&) = delete;
 
@@ -63,6 +65,7 @@ class Frame {
   // target's `visibility`; after all else.
   void recordClasses(VkCommandBuffer) const;
 
+  bool drawsByCompute() const { return isLinear(method_); }
   shared::Plan downloadPlan() const;          // viewCount 0 for methods without a map
   std::vector<float> downloadDepths() const;  // Store::depths()
   std::uint64_t storeTexels() const;          // that there is memory for

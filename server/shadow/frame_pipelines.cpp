@@ -220,7 +220,7 @@ RasterPipelines FramePipelines::raster(const RasterChoice& choice, bool opaque, 
   RasterPipelines made{.begin = compute("raster_begin.comp", {})};
   for (const bool isMasked : {false, true}) {
     if (!(isMasked ? masked : opaque)) continue;
-    const Specialization constants{choice.coverage, isMasked};
+    const Specialization constants{choice.coverage, isMasked, choice.texelMap};
     const auto round = [&](std::string_view plain, std::string_view withId, std::string_view sum) {
       return compute(choice.sums ? sum : choice.ids ? withId : plain, constants);
     };

@@ -25,12 +25,16 @@ RasterChoice rasterOf(const Stages& stages) {
 
 LinearStore::LinearStore(const Device& device, FramePipelines& pipelines, const Method& method,
                          const shared::FrameConstants& constants)
+    : LinearStore(device, pipelines, method, constants, rasterOf(*method.stages)) {}
+
+LinearStore::LinearStore(const Device& device, FramePipelines& pipelines, const Method& method,
+                         const shared::FrameConstants& constants, const RasterChoice& choice)
     : device_(device),
       estimated_(method.stages->resolution == Resolution::estimated),
       texels_(texelsOf(mapSizesOf(method))),
-      bytesPerTexel_(linearBytesPerTexel(*method.stages)),
+      bytesPerTexel_(choice.ids ? 8 : 4),
       maps_(makeMaps(device, texels_, bytesPerTexel_)),
-      rasteriser_(device, pipelines, rasterOf(*method.stages), shadowViewsOf(method), constants),
+      rasteriser_(device, pipelines, choice, shadowViewsOf(method), constants),
       unread_(device, {1, 1}, VK_FORMAT_D32_SFLOAT, VK_IMAGE_USAGE_SAMPLED_BIT),
       nearest_(makeSampler(device, VK_FILTER_NEAREST)) {
   device.submit([&](VkCommandBuffer command) {

@@ -10,6 +10,9 @@ namespace sundial {
 class LinearStore : public Store {
  public:
   LinearStore(const Device&, FramePipelines&, const Method&, const shared::FrameConstants&);
+  // With another choice than the method's.
+  LinearStore(const Device&, FramePipelines&, const Method&, const shared::FrameConstants&,
+              const RasterChoice&);
 
   void record(VkCommandBuffer, const DrawView& draw) const override;
   bool again() override;

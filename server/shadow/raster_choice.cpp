@@ -11,16 +11,34 @@ bool fitsBuffer(const Method& method, const Device& device) {
          device.limits().maxStorageBufferRange;
 }
 
+// Up to how many texels of all maps to a triangle of the scene the compute rasteriser is the faster one on a
+// CPU driver: triangles cost the pipeline more, and texels less. Maps of what the camera sees leave triangles
+// out and show the others larger. `sundial-bench-raster ratios` prints what this rests on.
+double mostTexelsToATriangle(Volume volume) {
+  switch (volume) {
+    case Volume::scene:
+      return 20;
+    case Volume::frustum:
+      return 8;
+    case Volume::samples:
+    case Volume::inscribed:
+      return 2;
+  }
+  return 0;
+}
+
 }  // namespace
 
 Method withRaster(Method method, const Device& device, std::uint64_t triangles) {
   if (!method.stages || method.settings.raster != Raster::automatic) return method;
   if (method.stages->storage == Storage::linear || keepsIds(method.stages->storage)) {
     method.settings.raster = Raster::compute;
-  } else if (method.stages->storage == Storage::moments || !fitsBuffer(method, device)) {
+  } else if (method.stages->storage == Storage::moments || !device.isCpu() || !fitsBuffer(method, device)) {
     method.settings.raster = Raster::pipeline;
   } else {
-    method.settings.raster = triangles == 0 ? Raster::compute : Raster::pipeline;
+    const double texels = static_cast<double>(texelsOf(mapSizesOf(method)));
+    const bool few = texels <= mostTexelsToATriangle(method.stages->volume) * static_cast<double>(triangles);
+    method.settings.raster = few ? Raster::compute : Raster::pipeline;
   }
   return method;
 }

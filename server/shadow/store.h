@@ -1,6 +1,7 @@
 // The memory that holds a frame's shadow maps, and how they get there: one class a choice of storage.
 #pragma once
 
+#include <array>
 #include <functional>
 #include <memory>
 #include <optional>
@@ -30,6 +31,8 @@ class Store {
   // Clears all maps, and draws all views: by `draw`, with viewport and scissor set to the view's map, or by
   // compute.
   virtual void record(VkCommandBuffer, const DrawView& draw) const = 0;
+  // What `draw` draws opaque and masked triangles with, where it isn't the method's pipelines.
+  virtual std::optional<std::array<VkPipeline, 2>> pipelines() const { return std::nullopt; }
   // Whether recorded work, now done, left something out: then there is room for it, and bindings are to be
   // set and the maps recorded once more.
   virtual bool again() { return false; }
@@ -51,6 +54,7 @@ class Store {
 // Of a method with a map; `constants` are settled (plan_settings.h).
 std::unique_ptr<Store> makeStore(const Device&, FramePipelines&, const Method&,
                                  const shared::FrameConstants&);
+using MakeStore = decltype(makeStore);
 
 // Where each view's map lies in an image that holds all, mapColumnsOf() in a row; in a buffer each begins at
 // 0, 0.

@@ -15,7 +15,7 @@ class RasterScene {
   RasterScene(const Device&, FramePipelines&, const std::string& scene, const std::string& view,
               const std::string& light);
 
-  std::unique_ptr<Frame> frame(std::string_view method, MakeStore* make = makeStore) const;
+  std::unique_ptr<Frame> frame(std::string_view text, MakeStore* make = makeStore) const;
   const Scene& scene() const { return *scene_; }
 
  private:

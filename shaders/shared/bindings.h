@@ -25,11 +25,11 @@ SUNDIAL_CONST kStorageBindings = 14u;
 
 // Read at random, so through texel buffers: lavapipe gathers a whole texel at once, but a storage buffer's
 // words one by one and lane by lane.
-SUNDIAL_CONST kBindVertices = 14u;    // RGBA32UI: Vertex
-SUNDIAL_CONST kBindAttributes = 15u;  // RGBA32UI: Attributes
-SUNDIAL_CONST kBindTriangles = 16u;   // RGBA32UI: Triangle
-SUNDIAL_CONST kBindDraws = 17u;       // RG32UI: Draw
-SUNDIAL_CONST kBindInstances = 18u;   // RGBA32F: a row of Instance
+SUNDIAL_CONST kBindVertices = 14u;      // RGBA32UI: Vertex
+SUNDIAL_CONST kBindAttributes = 15u;    // RGBA32UI: Attributes
+SUNDIAL_CONST kBindTriangles = 16u;     // RGBA32UI: Triangle
+SUNDIAL_CONST kBindDraws = 17u;         // RG32UI: Draw
+SUNDIAL_CONST kBindInstances = 18u;     // RGBA32F: a row of Instance
 SUNDIAL_CONST kBindLinearTexels = 19u;  // R32UI or RG32UI: what kBindLinear holds
 // Of shadow volumes alone:
 SUNDIAL_CONST kBindEdges = 20u;         // RGBA32UI: Edge

@@ -8,8 +8,9 @@
 SUNDIAL_SHARED_BEGIN
 
 SUNDIAL_CONST kSubTexels = 256u;  // steps of the grid that vertices lie on, to a texel
-// A triangle whose box has at most this many texels a side, which is as far as 32 bits reach, is drawn by one invocation
-// if it covers few of them. Others are cut into bands of rows, a workgroup each, an invocation a row.
+// A triangle whose box has at most this many texels a side, which is as far as 32 bits reach, is drawn by one
+// invocation if it covers few of them. Others are cut into bands of rows, a workgroup each, an invocation a
+// row.
 SUNDIAL_CONST kSmallSide = 127u;
 SUNDIAL_CONST kSmallTexels = 500u;
 SUNDIAL_CONST kBandRows = 32u;
@@ -51,7 +52,7 @@ struct RasterPart {
   int y[3];
   int box[4];  // texels, first and last
   vec2 from;   // Varying
-  vec3 depth;   // at the box's first texel, and what each one to the right and down adds
+  vec3 depth;  // at the box's first texel, and what each one to the right and down adds
   vec2 depthRange;
   vec4 attributes[3];  // of masked triangles, the same three of (uv, alpha, 1) over w
 };

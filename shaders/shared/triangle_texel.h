@@ -75,12 +75,15 @@ SUNDIAL_FUNCTION float lineDistance2(vec2 point, vec2 a, vec2 b) {
   return area * area / max(dot(along, along), 1e-30f);
 }
 
-// Where a corner beyond the grid is kept: moved along one of its two edges to the grid's rim, the one that
-// passes nearer to the texel. That edge stays where it is; of the triangle, what is cut off lies behind the
-// other one.
+SUNDIAL_FUNCTION bool isOnGrid(vec2 corner) {
+  return abs(corner.x - 0.5f) <= 0.5f + kCornerMargin && abs(corner.y - 0.5f) <= 0.5f + kCornerMargin;
+}
+
+// Where a corner beyond the grid is kept if another corner is on it: moved along one of its two edges to the
+// grid's rim, the one that passes nearer to the texel. That edge stays where it is; what is cut off lies
+// behind the other one.
 SUNDIAL_FUNCTION vec2 cornerOnGrid(vec2 corner, vec2 next, vec2 other, vec2 texelCentre) {
-  const vec2 low = vec2(-kCornerMargin), high = vec2(1.0f + kCornerMargin);
-  if (corner.x >= low.x && corner.y >= low.y && corner.x <= high.x && corner.y <= high.y) return corner;
+  if (isOnGrid(corner)) return corner;
   const bool nextIsNearer =
       lineDistance2(texelCentre, corner, next) <= lineDistance2(texelCentre, corner, other);
   const vec2 first = nextIsNearer ? next : other, second = nextIsNearer ? other : next;
@@ -88,10 +91,56 @@ SUNDIAL_FUNCTION vec2 cornerOnGrid(vec2 corner, vec2 next, vec2 other, vec2 texe
   if (alongFirst <= 1.0f) return corner + alongFirst * (first - corner);
   const float alongSecond = shareToGrid(corner, second);
   if (alongSecond <= 1.0f) return corner + alongSecond * (second - corner);
-  return clamp(corner, low, high);
+  return clamp(corner, vec2(-kCornerMargin), vec2(1.0f + kCornerMargin));
 }
 
-SUNDIAL_FUNCTION uvec4 packedTriangle(MapTriangle t, vec2 texelCentre) {
+// How far from a place on the map a ray reaches the grid's rim.
+SUNDIAL_FUNCTION float wayToRim(vec2 place, vec2 direction) {
+  const vec2 room = 0.5f + kCornerMargin - (place - 0.5f) * sign(direction);
+  return min(room.x / max(abs(direction.x), 1e-9f), room.y / max(abs(direction.y), 1e-9f));
+}
+
+// How far from a place inside of a line through a and b a ray reaches it; far where it never does.
+SUNDIAL_FUNCTION float wayToLine(vec2 place, vec2 direction, vec2 a, vec2 b) {
+  const vec2 along = b - a, to = a - place;
+  const float across = direction.x * along.y - direction.y * along.x;
+  const float way = abs(across) > 1e-12f ? (to.x * along.y - to.y * along.x) / across : -1.0f;
+  return way > 0.0f ? way : 1e9f;
+}
+
+// A triangle of which no corner is on the grid, as a triangle on the grid that is the same about the texel:
+// on its nearest edge, from rim to rim, and as high over the texel as there is room. Where no edge crosses
+// the grid it covers all, and one about the texel does as well.
+SUNDIAL_FUNCTION MapTriangle grownAbout(MapTriangle t, vec2 texelCentre) {
+  int nearest = 0;
+  for (int i = 1; i < 3; ++i)
+    if (lineDistance2(texelCentre, t.corners[i], t.corners[(i + 1) % 3]) <
+        lineDistance2(texelCentre, t.corners[nearest], t.corners[(nearest + 1) % 3]))
+      nearest = i;
+  const vec2 a = t.corners[nearest], b = t.corners[(nearest + 1) % 3], c = t.corners[(nearest + 2) % 3];
+  const float fromA = shareToGrid(a, b), fromB = shareToGrid(b, a);
+  MapTriangle grown = t;
+  if (fromA > 1.0f || fromB > 1.0f) {
+    grown.corners[0] = texelCentre + kCornerMargin * vec2(-1.0f, -1.0f);
+    grown.corners[1] = texelCentre + kCornerMargin * vec2(1.0f, -1.0f);
+    grown.corners[2] = texelCentre + kCornerMargin * vec2(0.0f, 1.0f);
+    return grown;
+  }
+  const vec2 along = b - a, toC = c - a;
+  const float turn = along.x * toC.y - along.y * toC.x >= 0.0f ? 1.0f : -1.0f;
+  const vec2 inwards = turn * vec2(-along.y, along.x) / sqrt(max(dot(along, along), 1e-30f));
+  const float height = min(wayToRim(texelCentre, inwards),
+                           min(wayToLine(texelCentre, inwards, b, c), wayToLine(texelCentre, inwards, c, a)));
+  grown.corners[0] = a + fromA * along;
+  grown.corners[1] = b - fromB * along;
+  grown.corners[2] = texelCentre + height * inwards;
+  return grown;
+}
+
+SUNDIAL_FUNCTION uvec4 packedTriangle(MapTriangle given, vec2 texelCentre) {
+  MapTriangle t = given;
+  if (!isOnGrid(t.corners[0]) && !isOnGrid(t.corners[1]) && !isOnGrid(t.corners[2]))
+    t = grownAbout(given, texelCentre);
   const vec2 a = cornerOnGrid(t.corners[0], t.corners[1], t.corners[2], texelCentre);
   const vec2 b = cornerOnGrid(t.corners[1], t.corners[2], t.corners[0], texelCentre);
   const vec2 c = cornerOnGrid(t.corners[2], t.corners[0], t.corners[1], texelCentre);

@@ -84,7 +84,7 @@ TEST(TriangleTexel, LargeTrianglesAreTheSameAboutTheirTexel) {
   std::mt19937 random(6);
   std::uniform_real_distribution<float> far(-30, 30), onMap(0, 1), about(-0.004f, 0.004f);
   int crossed = 0, covered = 0;
-  for (int i = 0; i < 20000; ++i) {
+  for (int i = 0; i < 60000; ++i) {
     MapTriangle t;
     for (vec2& corner : t.corners) corner = {far(random), far(random)};
     t.depth = 0.5f;

@@ -10,8 +10,10 @@ SUNDIAL_SHARED_BEGIN
 // Corners are kept on a grid that reaches this far beyond the map on each side, in shares of the map.
 SUNDIAL_CONST_FLOAT kCornerMargin = 0.125f;
 SUNDIAL_CONST_FLOAT kCornerSteps = 65535.0f;
-// Code 0 is a texel without a triangle.
-SUNDIAL_CONST_FLOAT kDepthSteps = 65534.0f;
+// Code 0 is a texel without a triangle, the last one a triangle before the near plane: nearer than all that asks.
+SUNDIAL_CONST_FLOAT kDepthSteps = 65533.0f;
+SUNDIAL_CONST kDepthBefore = 65535u;
+SUNDIAL_CONST_FLOAT kBefore = 2.0f;  // its depth
 SUNDIAL_CONST kSlopeCodes = 256u;
 SUNDIAL_CONST kHeldPitch = 4096u;  // texels in a row of the image that holds all maps, one behind the other
 SUNDIAL_CONST_FLOAT kHalfPi = 1.57079632679f;
@@ -48,10 +50,13 @@ SUNDIAL_FUNCTION vec2 cornerOfCode(uint code) {
 }
 
 SUNDIAL_FUNCTION uint codeOfDepth(float depth) {
-  return 1u + uint(floor(clamp(depth, 0.0f, 1.0f) * kDepthSteps + 0.5f));
+  if (depth > 1.0f) return kDepthBefore;
+  return 1u + uint(floor(max(depth, 0.0f) * kDepthSteps + 0.5f));
 }
 
-SUNDIAL_FUNCTION float depthOfCode(uint code) { return (float(code) - 1.0f) / kDepthSteps; }
+SUNDIAL_FUNCTION float depthOfCode(uint code) {
+  return code == kDepthBefore ? kBefore : (float(code) - 1.0f) / kDepthSteps;
+}
 
 // How far along from-to the grid begins, for a corner beyond it: 2 where the edge passes the grid by.
 SUNDIAL_FUNCTION float shareToGrid(vec2 from, vec2 to) {
@@ -120,7 +125,8 @@ SUNDIAL_FUNCTION MapTriangle grownAbout(MapTriangle t, vec2 texelCentre) {
   const vec2 a = t.corners[nearest], b = t.corners[(nearest + 1) % 3], c = t.corners[(nearest + 2) % 3];
   const float fromA = shareToGrid(a, b), fromB = shareToGrid(b, a);
   MapTriangle grown = t;
-  if (fromA > 1.0f || fromB > 1.0f) {
+  const bool isFar = lineDistance2(texelCentre, a, b) > 0.8f * kCornerMargin * kCornerMargin;
+  if (isFar || fromA > 1.0f || fromB > 1.0f) {
     grown.corners[0] = texelCentre + kCornerMargin * vec2(-1.0f, -1.0f);
     grown.corners[1] = texelCentre + kCornerMargin * vec2(1.0f, -1.0f);
     grown.corners[2] = texelCentre + kCornerMargin * vec2(0.0f, 1.0f);
@@ -144,8 +150,9 @@ SUNDIAL_FUNCTION uvec4 packedTriangle(MapTriangle given, vec2 texelCentre) {
   const vec2 a = cornerOnGrid(t.corners[0], t.corners[1], t.corners[2], texelCentre);
   const vec2 b = cornerOnGrid(t.corners[1], t.corners[2], t.corners[0], texelCentre);
   const vec2 c = cornerOnGrid(t.corners[2], t.corners[0], t.corners[1], texelCentre);
+  const vec2 slope = t.depth > 1.0f ? vec2(0.0f) : t.slope;
   return uvec4(codeOfCorner(a), codeOfCorner(b), codeOfCorner(c),
-               codeOfDepth(t.depth) << 16 | codeOfSlope(t.slope.x) << 8 | codeOfSlope(t.slope.y));
+               codeOfDepth(t.depth) << 16 | codeOfSlope(slope.x) << 8 | codeOfSlope(slope.y));
 }
 
 SUNDIAL_SHARED_END

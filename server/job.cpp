@@ -8,6 +8,7 @@
 #include "shadow/camera.h"
 #include "shadow/frame.h"
 #include "shadow/frame_runner.h"
+#include "shared/choices.h"
 
 namespace sundial {
 
@@ -60,6 +61,32 @@ std::vector<shared::Answer> takeAnswers(const Device& device, const ViewTarget& 
   return answers;
 }
 
+constexpr std::uint32_t kNoClass = 0xffffffff;
+
+// What each sample's answer was found from, with lookup=spsm. Takes the place of the target's visibility.
+std::vector<std::uint32_t> takeClasses(const Device& device, const ViewTarget& target, const Frame& frame) {
+  device.submit([&](VkCommandBuffer command) { frame.recordClasses(command); });
+  std::vector<std::uint32_t> classes;
+  for (const float found : valuesOf<float>(downloaded(device, target.visibility, sizeof(float))))
+    classes.push_back(static_cast<std::uint32_t>(found));
+  return classes;
+}
+
+// Says what the resolve pass answered from, in samples, and how many places beyond the samples it asked for.
+void countClasses(std::vector<PassTiming>& passes, const std::vector<std::uint32_t>& classes,
+                  unsigned positions) {
+  const auto resolve = std::ranges::find(passes, "resolve", &PassTiming::name);
+  if (classes.empty() || resolve == passes.end()) return;
+  const auto count = [&](std::uint32_t found) {
+    return static_cast<double>(std::ranges::count(classes, found));
+  };
+  resolve->work.push_back({"one_triangle", count(shared::kAnswerOneTriangle)});
+  resolve->work.push_back({"neighbours", count(shared::kAnswerNeighbours)});
+  resolve->work.push_back({"uncertain", count(shared::kAnswerUncertain)});
+  if (positions > 1)
+    resolve->work.push_back({"more_positions", (positions - 1) * count(shared::kAnswerUncertain)});
+}
+
 std::vector<PlanView> planViews(const shared::Plan& plan, const glm::dvec3& origin) {
   glm::dmat4 relativeFromWorld(1);
   relativeFromWorld[3] = glm::dvec4(-origin, 1);
@@ -90,7 +117,7 @@ std::vector<Value> eachPixel(const std::vector<Source>& source, Function functio
 }
 
 Image takeImage(Aov aov, const JobContext& context, const FrameView& view, const Truth& truth,
-                const std::vector<shared::Answer>& answers) {
+                const std::vector<shared::Answer>& answers, const std::vector<std::uint32_t>& classes) {
   using Format = Image::Format;
   using Sample = shared::ViewSample;
   const glm::uvec2 size = context.target.size();
@@ -117,6 +144,10 @@ Image takeImage(Aov aov, const JobContext& context, const FrameView& view, const
                                     ? glm::uvec2(shared::kNoInstance)
                                     : glm::uvec2(s.instance, scene.sourceTriangle[s.triangle]);
                        }));
+    case Aov::lookupClass:
+      return makeImage(
+          aov, Format::r32u, size,
+          classes.empty() ? std::vector<std::uint32_t>(truth.samples.size(), kNoClass) : classes);
     case Aov::view:
       return makeImage(aov, Format::r32u, size,
                        answers.empty()
@@ -276,7 +307,7 @@ Result<void> runJob(const JobContext& context, const RenderJob& job, const Inter
     if (!series) return std::unexpected(series.error());
 
     const bool samplesWanted = traceTruth || wants(job, Aov::position) || wants(job, Aov::normal) ||
-                               wants(job, Aov::id) || wants(job, Aov::view);
+                               wants(job, Aov::id) || wants(job, Aov::view) || wants(job, Aov::lookupClass);
     if (samplesWanted && !truth) truth = takeTruth(context.device, context.target, view, traceTruth);
     if (auto error = interrupt.raised()) return std::unexpected(*error);
     std::vector<shared::Answer> answers;
@@ -286,8 +317,17 @@ Result<void> runJob(const JobContext& context, const RenderJob& job, const Inter
     const shared::Plan plan = frame.downloadPlan();
     MethodResult result{.method = method, .plan = planViews(plan, origin)};
     sink.onPlan(i, result.plan);
+    if (job.measures) result.measures = measured(context, job, *truth, frame, view, answers);
+    std::vector<std::uint32_t> classes;
+    const auto sendImage = [&](Aov aov) {
+      sink.onImage(i, takeImage(aov, context, view, truth ? *truth : Truth{}, answers, classes));
+    };
     for (const Aov aov : job.images)
-      sink.onImage(i, takeImage(aov, context, view, truth ? *truth : Truth{}, answers));
+      if (aov != Aov::lookupClass) sendImage(aov);
+    if (method.stages && method.stages->lookup == Lookup::spsm &&
+        (job.measures || wants(job, Aov::lookupClass)))
+      classes = takeClasses(context.device, context.target, frame);
+    if (wants(job, Aov::lookupClass)) sendImage(Aov::lookupClass);
 
     std::vector<double> frameMs;
     for (const FrameTiming& timing : series->frames) frameMs.push_back(timing.frameMs);
@@ -296,7 +336,7 @@ Result<void> runJob(const JobContext& context, const RenderJob& job, const Inter
     if (!series->ratios.empty()) result.ratio = quartilesOf(std::move(series->ratios));
     result.passes = passTimings(series->passes, series->frames);
     countScenes(result.passes, scene);
-    if (job.measures) result.measures = measured(context, job, *truth, frame, view, answers);
+    countClasses(result.passes, classes, method.settings.positions);
     result.storeBytes = frame.usedStoreBytes(plan);
     result.totalBytes = result.storeBytes + frame.otherBytes();
     result.allocatedBytes = frame.storeBytes();

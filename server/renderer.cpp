@@ -100,7 +100,7 @@ std::size_t bytesPerPixel(Image::Format format) {
 
 std::string_view aovName(Aov aov) {
   static constexpr std::string_view kNames[kAovCount] = {"colour", "visibility", "reference", "position",
-                                                         "normal", "id",         "view"};
+                                                         "normal", "id",         "view",      "class"};
   return kNames[static_cast<std::size_t>(aov)];
 }
 

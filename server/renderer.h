@@ -25,15 +25,17 @@ namespace sundial {
 
 // Images that a job can ask for. Rows from the top, no padding; formats as in Image::Format.
 enum class Aov {
-  colour,      // rgba8, sRGB, A = 255 where there is geometry
-  visibility,  // r32f, S in [0, 1]
-  reference,   // r32f, R
-  position,    // rgb32f, world, metres
-  normal,      // rgb32f, geometric, facing the camera
-  id,          // rg32u: instance, triangle (its index in its mesh of the source file); 0xffffffff: none
-  view,        // r32u: index of the shadow view that answered; 0xffffffff: none
+  colour,       // rgba8, sRGB, A = 255 where there is geometry
+  visibility,   // r32f, S in [0, 1]
+  reference,    // r32f, R
+  position,     // rgb32f, world, metres
+  normal,       // rgb32f, geometric, facing the camera
+  id,           // rg32u: instance, triangle (its index in its mesh of the source file); 0xffffffff: none
+  view,         // r32u: index of the shadow view that answered; 0xffffffff: none
+  lookupClass,  // r32u: what lookup=spsm answered from, shared/choices.h: kAnswer...; 0xffffffff: another
+                // lookup
 };
-inline constexpr std::size_t kAovCount = 7;
+inline constexpr std::size_t kAovCount = 8;
 
 struct Image {
   enum class Format { rgba8, r32f, rgb32f, r32u, rg32u };

@@ -11,7 +11,7 @@ float lookup(uint view, Receiver r) {
   for (int y = -reach; y <= reach; ++y)
     for (int x = -reach; x <= reach; ++x) {
       const ivec2 texel = clamp(centre + ivec2(x, y), ivec2(0), high);
-      if (hides(heldIn(view, texel), r.viewSample, r.texel - (vec2(texel) + 0.5), r.exactDepth)) return 0;
+      if (hides(heldIn(view, texel), r, r.texel - (vec2(texel) + 0.5))) return 0;
     }
   return 1;
 }

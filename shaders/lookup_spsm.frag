@@ -25,10 +25,10 @@ float answer(uint kind, float lit) { return kAnswer == kAnswerVisibility ? lit :
 
 // Whether the triangle of this texel, where it is nearest to the light, is nearer than the receiver's plane there.
 bool occludes(Held held, Receiver r, vec2 fromSample) {
-  if (!held.exists || isOwner(held, r.viewSample)) return false;
+  if (!held.exists || isOnPlane(held, r, -fromSample)) return false;
   const vec2 nearest = nearestPoint(held.t);
   const float receiver = r.depth + dot(r.depthPerTexel, fromSample + nearest);
-  return planeDepth(held.t, nearest) - errorAt(held, nearest) > receiver;
+  return planeDepth(held.t, nearest) > receiver;
 }
 
 // The line that the shadow's edge follows at the sample, seen along a tangent, in the tangent's own axes from the
@@ -85,11 +85,8 @@ float lookup(uint view, Receiver r) {
   around.at = r.texel - (vec2(around.centre) + 0.5);
   const Held own = heldIn(view, around.centre);
   if (!own.exists) return answer(kAnswerOneTriangle, 1);
-  const float surface = r.exactDepth - r.worldBias;
-  if (isOwner(own, r.viewSample) ||
-      abs(planeDepth(own.t, around.at) - surface) <= r.worldBias + errorAt(own, around.at))
-    return answer(kAnswerOneTriangle, 1);
-  if (hides(own, r.viewSample, around.at, r.exactDepth)) return answer(kAnswerOneTriangle, 0);
+  if (isOnPlane(own, r, around.at)) return answer(kAnswerOneTriangle, 1);
+  if (hides(own, r, around.at)) return answer(kAnswerOneTriangle, 0);
 
   const ivec2 high = ivec2(plan.views[view].rectSize) - 1;
   around.held[8] = own;
@@ -98,7 +95,7 @@ float lookup(uint view, Receiver r) {
     around.held[i] = noTriangle();
     if (any(lessThan(texel, ivec2(0))) || any(greaterThan(texel, high))) continue;
     around.held[i] = heldIn(view, texel);
-    if (hides(around.held[i], r.viewSample, around.at - neighbourAt(i), r.exactDepth))
+    if (hides(around.held[i], r, around.at - neighbourAt(i)))
       return answer(kAnswerNeighbours, 0);
   }
   const int reach = int(frame.pcfKernel) / 2;
@@ -106,7 +103,7 @@ float lookup(uint view, Receiver r) {
     for (int x = -reach; x <= reach; ++x) {
       const ivec2 texel = around.centre + ivec2(x, y);
       if (max(abs(x), abs(y)) < 2 || any(lessThan(texel, ivec2(0))) || any(greaterThan(texel, high))) continue;
-      if (hides(heldIn(view, texel), r.viewSample, around.at - vec2(x, y), r.exactDepth))
+      if (hides(heldIn(view, texel), r, around.at - vec2(x, y)))
         return answer(kAnswerNeighbours, 0);
     }
   if (!kRecover) return answer(kAnswerNeighbours, 1);

@@ -11,12 +11,14 @@ MapTriangle mapTriangle(uint view, uint id, vec2 place, out uvec2 owner) {
   owner = uvec2(instance, index);
   const Instance at = instanceAt(instance);
   const Triangle triangle = triangleAt(index);
+  vec3 ws[3];
   vec4 clip[3];
-  for (int i = 0; i < 3; ++i)
-    clip[i] = plan.views[view].shadowFromWorld * vec4(placed(at, vertexPosition(triangle.vertices[i])), 1);
+  for (int i = 0; i < 3; ++i) {
+    ws[i] = placed(at, vertexPosition(triangle.vertices[i]));
+    clip[i] = plan.views[view].shadowFromWorld * vec4(ws[i], 1);
+  }
   const float least = 1e-3 * max(max(clip[0].w, clip[1].w), clip[2].w);
   MapTriangle m;
-  vec3 corners[3];
   for (int i = 0; i < 3; ++i) {
     vec4 corner = clip[i];
     if (corner.w < least) {
@@ -24,14 +26,17 @@ MapTriangle mapTriangle(uint view, uint id, vec2 place, out uvec2 owner) {
       const vec4 before = next.w > least ? next : other;
       corner = mix(before, corner, (before.w - least) / (before.w - corner.w));
     }
-    corners[i] = corner.xyz / corner.w;
-    m.corners[i] = 0.5 * corners[i].xy + 0.5;
+    m.corners[i] = 0.5 * corner.xy / corner.w + 0.5;
   }
-  const vec2 b = m.corners[1] - m.corners[0], c = m.corners[2] - m.corners[0];
-  const float area = b.x * c.y - b.y * c.x;
-  const vec2 depths = vec2(corners[1].z, corners[2].z) - corners[0].z;
-  m.slope = area != 0 ? vec2(depths.x * c.y - depths.y * b.y, depths.y * b.x - depths.x * c.x) / area : vec2(0);
-  m.depth = corners[0].z + dot(m.slope, place - m.corners[0]);
+
+  // By its plane, as the receiver's (receiver.glsl): a corner far away would make a coarse starting point.
+  const vec3 lsMin = plan.views[view].lsMin, lsSize = plan.views[view].lsMax - lsMin;
+  const vec3 normal = cross(normalize(ws[1] - ws[0]), normalize(ws[2] - ws[0]));
+  const vec4 plane = vec4(normal, -dot(normal, ws[0])) * plan.worldFromLight;
+  const vec2 ls = lsMin.xy + vec2(place.x, 1 - place.y) * lsSize.xy;  // rows run down
+  const bool hasSlope = plane.z != 0;
+  m.slope = hasSlope ? -plane.xy / plane.z * lsSize.xy * vec2(1, -1) / lsSize.z : vec2(0);
+  m.depth = hasSlope ? (-(dot(plane.xy, ls) + plane.w) / plane.z - lsMin.z) / lsSize.z : clip[0].z / clip[0].w;
   return m;
 }
 

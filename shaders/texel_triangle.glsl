@@ -57,15 +57,29 @@ Held heldIn(uint view, ivec2 texel) {
   return kStore == kStoreTriangles ? unpacked(view, texel) : lookedUp(view, texel);
 }
 
-// How much farther than it seems the triangle may be.
-float errorAt(Held held, vec2 at) { return held.depthError + dot(held.slopeError, abs(at)); }
+// Whether the receiver, which is at this place, lies on the triangle's plane, or so nearly that packing can't tell: its
+// own plane has the stored depth at the texel's centre, and slopes that the stored codes stand for.
+bool isOnPlane(Held held, Receiver r, vec2 at) {
+  const float surface = r.exactDepth - r.worldBias;
+  if (kStore != kStoreTriangles)
+    return held.owner == uvec2(r.viewSample.instance, r.viewSample.triangle) ||
+           abs(planeDepth(held.t, at) - surface) <= r.worldBias;
+  const float atCentre = max(surface - dot(r.depthPerTexel, at), 0);
+  if (atCentre > 1) return held.t.depth == kBefore;
+  return abs(held.t.depth - atCentre) <= r.worldBias + held.depthError &&
+         all(lessThanEqual(abs(held.t.slope - r.depthPerTexel), held.slopeError));
+}
 
-bool isOwner(Held held, ViewSample s) { return held.owner == uvec2(s.instance, s.triangle); }
+// How much nearer to the light than it is packing may have turned the triangle: never counted as more than what a plain
+// map's receiver moves.
+float errorAt(Held held, Receiver r, vec2 at) {
+  return min(held.depthError + dot(min(held.slopeError, 1e6), abs(at)), r.depth - r.exactDepth);
+}
 
-// Whether it is between a point of the map and the light.
-bool hides(Held held, ViewSample s, vec2 at, float depth) {
-  return held.exists && !isOwner(held, s) && planeDepth(held.t, at) - errorAt(held, at) > depth &&
-         containsPoint(held.t, at);
+// Whether it is between the receiver and the light.
+bool hides(Held held, Receiver r, vec2 at) {
+  return held.exists && planeDepth(held.t, at) - errorAt(held, r, at) > r.exactDepth && containsPoint(held.t, at) &&
+         !isOnPlane(held, r, at);
 }
 
 #endif

@@ -79,6 +79,45 @@ TEST(TriangleTexel, CornersBeyondTheGridKeepTheEdgeThatIsNear) {
   }
 }
 
+// Of a triangle whose corners are all beyond the grid, what is kept is the same about the texel.
+TEST(TriangleTexel, LargeTrianglesAreTheSameAboutTheirTexel) {
+  std::mt19937 random(6);
+  std::uniform_real_distribution<float> far(-30, 30), onMap(0, 1), about(-0.004f, 0.004f);
+  int crossed = 0, covered = 0;
+  for (int i = 0; i < 60000; ++i) {
+    MapTriangle t;
+    for (vec2& corner : t.corners) corner = {far(random), far(random)};
+    t.depth = 0.5f;
+    t.slope = vec2(0);
+    const vec2 texel(onMap(random), onMap(random));
+    if (isOnGrid(t.corners[0]) || isOnGrid(t.corners[1]) || isOnGrid(t.corners[2])) continue;
+    const auto inside = [](const vec2* corners, vec2 p) {
+      TexelTriangle at;
+      for (int c = 0; c < 3; ++c) at.corners[c] = corners[c];
+      return containsPoint(at, p);
+    };
+    if (!inside(t.corners, texel)) continue;
+    const uvec4 packed = packedTriangle(t, texel);
+    vec2 kept[3];
+    for (int c = 0; c < 3; ++c) kept[c] = cornerOfCode(packed[c]);
+    float nearest = 1;
+    for (int c = 0; c < 3; ++c)
+      nearest = std::min(nearest, std::sqrt(lineDistance2(texel, t.corners[c], t.corners[(c + 1) % 3])));
+    (nearest < 0.004f ? crossed : covered) += 1;
+    for (int k = 0; k < 20; ++k) {
+      const vec2 p = texel + vec2(about(random), about(random));
+      float toEdge = 1;
+      for (int c = 0; c < 3; ++c)
+        toEdge = std::min(toEdge, std::sqrt(lineDistance2(p, t.corners[c], t.corners[(c + 1) % 3])));
+      if (toEdge > 2e-4f) {
+        EXPECT_EQ(inside(kept, p), inside(t.corners, p)) << i;
+      }
+    }
+  }
+  EXPECT_GT(crossed, 5);
+  EXPECT_GT(covered, 500);
+}
+
 // The greatest depth of a triangle within its texel, by trying many places.
 TEST(Silhouette, TheNearestPointIsOnTheTriangleAndNoneIsNearer) {
   std::mt19937 random(3);

@@ -41,7 +41,7 @@ v1::RenderRequest makeRequest(const Options& options) {
   request.set_repetitions(options.repetitions);
   request.set_measures(true);
   if (!options.output.empty())
-    for (const v1::Aov aov : {v1::COLOUR, v1::VISIBILITY, v1::REFERENCE, v1::POSITION, v1::VIEW})
+    for (const v1::Aov aov : {v1::COLOUR, v1::VISIBILITY, v1::REFERENCE, v1::POSITION, v1::VIEW, v1::CLASS})
       request.add_images(aov);
   return request;
 }

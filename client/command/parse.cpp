@@ -68,16 +68,16 @@ Size parseSize(std::string_view option, std::string_view text) {
 }
 
 std::vector<v1::Aov> parseAovs(std::string_view option, std::string_view text) {
-  static constexpr v1::Aov kAll[] = {v1::VISIBILITY, v1::REFERENCE, v1::POSITION,
-                                     v1::NORMAL,     v1::ID,        v1::VIEW};
+  static constexpr v1::Aov kAll[] = {v1::VISIBILITY, v1::REFERENCE, v1::POSITION, v1::NORMAL,
+                                     v1::ID,         v1::VIEW,      v1::CLASS};
   std::vector<v1::Aov> aovs{v1::COLOUR};
   if (text.empty()) return aovs;
   std::set<std::string_view> chosen;
   for (const std::string_view part : split(text, ',')) {
     if (part != "all" && std::ranges::find(kAll, part, client::aovName) == std::end(kAll))
       throw refusal(fmt::format(
-          "{}: there is no '{}'; there are visibility, reference, position, normal, id, view and all", option,
-          part));
+          "{}: there is no '{}'; there are visibility, reference, position, normal, id, view, class and all",
+          option, part));
     chosen.insert(part);
   }
   for (const v1::Aov aov : kAll)

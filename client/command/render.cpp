@@ -88,7 +88,7 @@ void addRender(CLI::App& app, Action& action) {
   command->add_option("-o,--output", options->output, ".png, .exr or .jpg")->type_name("FILE")->required();
   command
       ->add_option("--aov", options->aovs,
-                   "visibility,reference,position,normal,id,view, some of them, or all")
+                   "visibility,reference,position,normal,id,view,class, some of them, or all")
       ->type_name("NAMES");
   options->view.addTo(*command);
   command->callback(

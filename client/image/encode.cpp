@@ -48,6 +48,7 @@ Layer layerOf(v1::Aov aov) {
   static constexpr std::array kNormal{"normal.X", "normal.Y", "normal.Z"};
   static constexpr std::array kId{"id.instance", "id.triangle"};
   static constexpr std::array kView{"view.I"};
+  static constexpr std::array kClass{"class.I"};
   switch (aov) {
     case v1::COLOUR:
       return {kColour, OIIO::TypeFloat};
@@ -63,6 +64,8 @@ Layer layerOf(v1::Aov aov) {
       return {kId, OIIO::TypeUInt32};
     case v1::VIEW:
       return {kView, OIIO::TypeUInt32};
+    case v1::CLASS:
+      return {kClass, OIIO::TypeUInt32};
     default:
       return {{}, OIIO::TypeUnknown};
   }

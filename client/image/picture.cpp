@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstring>
 
+#include "image/class_tint.h"
 #include "image/view_colour.h"
 
 namespace sundial::image {
@@ -72,6 +73,10 @@ Picture toPicture(const client::Image& image) {
     case v1::VIEW:
       for (const std::uint32_t view : numbersOf<std::uint32_t>(image))
         put(picture, view == kNone ? Rgb{0, 0, 0} : viewColour(view));
+      break;
+    case v1::CLASS:
+      for (const std::uint32_t found : numbersOf<std::uint32_t>(image))
+        put(picture, found == kNone ? Rgb{0, 0, 0} : classColour(found));
       break;
     default:
       break;

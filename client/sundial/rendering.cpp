@@ -32,6 +32,8 @@ std::string_view aovName(v1::Aov aov) {
       return "id";
     case v1::VIEW:
       return "view";
+    case v1::CLASS:
+      return "class";
     default:
       return "unknown";
   }
@@ -43,6 +45,7 @@ std::size_t bytesPerPixel(v1::Aov aov) {
     case v1::VISIBILITY:
     case v1::REFERENCE:
     case v1::VIEW:
+    case v1::CLASS:
       return 4;
     case v1::ID:
       return 8;

@@ -48,6 +48,8 @@ Result<Aov> aovOf(int value, int index) {
       return Aov::id;
     case v1::VIEW:
       return Aov::view;
+    case v1::CLASS:
+      return Aov::lookupClass;
     default:
       return invalid(
           fmt::format("images[{}] is {}: must be a value of Aov, in [1, {}]", index, value, kAovCount));
@@ -67,6 +69,7 @@ std::uint64_t bytesPerPixel(Aov aov) {
     case Aov::id:
       return bytesPerPixel(Image::Format::rg32u);
     case Aov::view:
+    case Aov::lookupClass:
       return bytesPerPixel(Image::Format::r32u);
   }
   return 0;

@@ -184,6 +184,8 @@ v1::Aov toProto(Aov aov) {
       return v1::ID;
     case Aov::view:
       return v1::VIEW;
+    case Aov::lookupClass:
+      return v1::CLASS;
   }
   return v1::AOV_UNSPECIFIED;
 }

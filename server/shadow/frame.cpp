@@ -94,6 +94,7 @@ void Frame::bindTo(BindingSet& bindings, const ViewTarget& samples) const {
   bindings.set(shared::kBindCounts, counts_);
   bindings.set(shared::kBindSilhouette, analysis_);
   bindings.set(shared::kBindTables, view_.pipelines.tables);
+  bindings.set(shared::kBindHeld, samples.normals, nearest_);  // unread, unless a store has triangles
   if (volumes_) return volumes_->bindTo(bindings);
   if (store_) return store_->bindTo(bindings);
   bindNoStore(bindings, samples.visibility, nearest_, unread_);

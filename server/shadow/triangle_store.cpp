@@ -17,14 +17,24 @@ VkExtent2D extentOf(std::uint64_t texels) {
 
 TriangleStore::TriangleStore(const Device& device, FramePipelines& pipelines, const Method& method,
                              const shared::FrameConstants& constants)
-    : ids_(device, pipelines, method, constants),
+    : device_(device),
+      ids_(device, pipelines, method, constants),
       pack_(pipelines.fullscreen("pack_triangles.frag", VK_FORMAT_R32G32B32A32_UINT, {})),
-      packed_(device, extentOf(ids_.texels()), VK_FORMAT_R32G32B32A32_UINT,
-              VK_IMAGE_USAGE_COLOR_ATTACHMENT_BIT | VK_IMAGE_USAGE_SAMPLED_BIT),
       nearest_(makeSampler(device, VK_FILTER_NEAREST)) {
-  device.submit([&](VkCommandBuffer command) {
+  takeRoom();
+}
+
+void TriangleStore::takeRoom() {
+  packed_ = GpuImage(device_, extentOf(ids_.texels()), VK_FORMAT_R32G32B32A32_UINT,
+                     VK_IMAGE_USAGE_COLOR_ATTACHMENT_BIT | VK_IMAGE_USAGE_SAMPLED_BIT);
+  device_.submit([&](VkCommandBuffer command) {
     transition(command, packed_, VK_IMAGE_LAYOUT_UNDEFINED, VK_IMAGE_LAYOUT_SHADER_READ_ONLY_OPTIMAL);
   });
+}
+
+void TriangleStore::fit(const shared::Plan& plan) {
+  ids_.fit(plan);
+  if (extentOf(ids_.texels()).height != packed_.extent().height) takeRoom();
 }
 
 void TriangleStore::filter(VkCommandBuffer command) const {

@@ -133,6 +133,38 @@ std::span<const StabilityCase> stabilityCases() {
                     .methods = "evsm,bleed_reduction=0 evsm,bleed_reduction=0.6",
                     .measure = "bleed",
                     .failsAbove = 0.02},
+      StabilityCase{
+          .name = "spsm-fusion",
+          .sentence =
+              "Gaps between occluders, like those between leaves, are narrower than a texel: every texel "
+              "about them holds an occluder, and their shadows fuse. Smaller texels cure it.",
+          .scene = "builtin:knot",
+          .view = "shadow",
+          .light = "sun",
+          .methods = "spsm,texels=512 spsm,texels=2048",
+          .measure = "wrong_rate",
+          .failsAbove = 0.01},
+      StabilityCase{
+          .name = "spsm-holes",
+          .sentence = "Where texels hold other triangles than the one that casts a shadow here, its edge has "
+                      "holes; rebuilding the edge closes them.",
+          .scene = "builtin:knot",
+          .view = "shadow",
+          .light = "sun",
+          .methods = "spsm,texels=1024,recovery=off spsm,texels=1024",
+          .measure = "wrong_rate",
+          .failsAbove = 0.02},
+      StabilityCase{
+          .name = "rgsm-dense",
+          .sentence =
+              "A densely tessellated caster has more triangles than the map has texels: those that no "
+              "texel holds cast no shadow, however many neighbours are asked.",
+          .scene = "builtin:knot",
+          .view = "shadow",
+          .light = "sun",
+          .methods = "rgsm,texels=1024,kernel=5 spsm,texels=1024",
+          .measure = "wrong_rate",
+          .failsAbove = 0.02},
       StabilityCase{.name = "far-from-origin",
                     .sentence =
                         "The scene lies 140 km from the origin, where single precision is 16 mm coarse: "

@@ -24,6 +24,7 @@ using glm::max;
 using glm::min;
 using glm::pow;
 using glm::sign;
+using glm::sqrt;
 using glm::tan;
 }  // namespace sundial::shared
 #define SUNDIAL_SHARED_BEGIN namespace sundial::shared {

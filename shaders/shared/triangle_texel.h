@@ -10,8 +10,10 @@ SUNDIAL_SHARED_BEGIN
 // Corners are kept on a grid that reaches this far beyond the map on each side, in shares of the map.
 SUNDIAL_CONST_FLOAT kCornerMargin = 0.125f;
 SUNDIAL_CONST_FLOAT kCornerSteps = 65535.0f;
-// Code 0 is a texel without a triangle.
-SUNDIAL_CONST_FLOAT kDepthSteps = 65534.0f;
+// Code 0 is a texel without a triangle, the last one a triangle before the near plane: nearer than all that asks.
+SUNDIAL_CONST_FLOAT kDepthSteps = 65533.0f;
+SUNDIAL_CONST kDepthBefore = 65535u;
+SUNDIAL_CONST_FLOAT kBefore = 2.0f;  // its depth
 SUNDIAL_CONST kSlopeCodes = 256u;
 SUNDIAL_CONST kHeldPitch = 4096u;  // texels in a row of the image that holds all maps, one behind the other
 SUNDIAL_CONST_FLOAT kHalfPi = 1.57079632679f;
@@ -48,10 +50,13 @@ SUNDIAL_FUNCTION vec2 cornerOfCode(uint code) {
 }
 
 SUNDIAL_FUNCTION uint codeOfDepth(float depth) {
-  return 1u + uint(floor(clamp(depth, 0.0f, 1.0f) * kDepthSteps + 0.5f));
+  if (depth > 1.0f) return kDepthBefore;
+  return 1u + uint(floor(max(depth, 0.0f) * kDepthSteps + 0.5f));
 }
 
-SUNDIAL_FUNCTION float depthOfCode(uint code) { return (float(code) - 1.0f) / kDepthSteps; }
+SUNDIAL_FUNCTION float depthOfCode(uint code) {
+  return code == kDepthBefore ? kBefore : (float(code) - 1.0f) / kDepthSteps;
+}
 
 // How far along from-to the grid begins, for a corner beyond it: 2 where the edge passes the grid by.
 SUNDIAL_FUNCTION float shareToGrid(vec2 from, vec2 to) {
@@ -75,12 +80,15 @@ SUNDIAL_FUNCTION float lineDistance2(vec2 point, vec2 a, vec2 b) {
   return area * area / max(dot(along, along), 1e-30f);
 }
 
-// Where a corner beyond the grid is kept: moved along one of its two edges to the grid's rim, the one that
-// passes nearer to the texel. That edge stays where it is; of the triangle, what is cut off lies behind the
-// other one.
+SUNDIAL_FUNCTION bool isOnGrid(vec2 corner) {
+  return abs(corner.x - 0.5f) <= 0.5f + kCornerMargin && abs(corner.y - 0.5f) <= 0.5f + kCornerMargin;
+}
+
+// Where a corner beyond the grid is kept if another corner is on it: moved along one of its two edges to the
+// grid's rim, the one that passes nearer to the texel. That edge stays where it is; what is cut off lies
+// behind the other one.
 SUNDIAL_FUNCTION vec2 cornerOnGrid(vec2 corner, vec2 next, vec2 other, vec2 texelCentre) {
-  const vec2 low = vec2(-kCornerMargin), high = vec2(1.0f + kCornerMargin);
-  if (corner.x >= low.x && corner.y >= low.y && corner.x <= high.x && corner.y <= high.y) return corner;
+  if (isOnGrid(corner)) return corner;
   const bool nextIsNearer =
       lineDistance2(texelCentre, corner, next) <= lineDistance2(texelCentre, corner, other);
   const vec2 first = nextIsNearer ? next : other, second = nextIsNearer ? other : next;
@@ -88,15 +96,63 @@ SUNDIAL_FUNCTION vec2 cornerOnGrid(vec2 corner, vec2 next, vec2 other, vec2 texe
   if (alongFirst <= 1.0f) return corner + alongFirst * (first - corner);
   const float alongSecond = shareToGrid(corner, second);
   if (alongSecond <= 1.0f) return corner + alongSecond * (second - corner);
-  return clamp(corner, low, high);
+  return clamp(corner, vec2(-kCornerMargin), vec2(1.0f + kCornerMargin));
 }
 
-SUNDIAL_FUNCTION uvec4 packedTriangle(MapTriangle t, vec2 texelCentre) {
+// How far from a place on the map a ray reaches the grid's rim.
+SUNDIAL_FUNCTION float wayToRim(vec2 place, vec2 direction) {
+  const vec2 room = 0.5f + kCornerMargin - (place - 0.5f) * sign(direction);
+  return min(room.x / max(abs(direction.x), 1e-9f), room.y / max(abs(direction.y), 1e-9f));
+}
+
+// How far from a place inside of a line through a and b a ray reaches it; far where it never does.
+SUNDIAL_FUNCTION float wayToLine(vec2 place, vec2 direction, vec2 a, vec2 b) {
+  const vec2 along = b - a, to = a - place;
+  const float across = direction.x * along.y - direction.y * along.x;
+  const float way = abs(across) > 1e-12f ? (to.x * along.y - to.y * along.x) / across : -1.0f;
+  return way > 0.0f ? way : 1e9f;
+}
+
+// A triangle of which no corner is on the grid, as a triangle on the grid that is the same about the texel:
+// on its nearest edge, from rim to rim, and as high over the texel as there is room. Where no edge crosses
+// the grid it covers all, and one about the texel does as well.
+SUNDIAL_FUNCTION MapTriangle grownAbout(MapTriangle t, vec2 texelCentre) {
+  int nearest = 0;
+  for (int i = 1; i < 3; ++i)
+    if (lineDistance2(texelCentre, t.corners[i], t.corners[(i + 1) % 3]) <
+        lineDistance2(texelCentre, t.corners[nearest], t.corners[(nearest + 1) % 3]))
+      nearest = i;
+  const vec2 a = t.corners[nearest], b = t.corners[(nearest + 1) % 3], c = t.corners[(nearest + 2) % 3];
+  const float fromA = shareToGrid(a, b), fromB = shareToGrid(b, a);
+  MapTriangle grown = t;
+  const bool isFar = lineDistance2(texelCentre, a, b) > 0.8f * kCornerMargin * kCornerMargin;
+  if (isFar || fromA > 1.0f || fromB > 1.0f) {
+    grown.corners[0] = texelCentre + kCornerMargin * vec2(-1.0f, -1.0f);
+    grown.corners[1] = texelCentre + kCornerMargin * vec2(1.0f, -1.0f);
+    grown.corners[2] = texelCentre + kCornerMargin * vec2(0.0f, 1.0f);
+    return grown;
+  }
+  const vec2 along = b - a, toC = c - a;
+  const float turn = along.x * toC.y - along.y * toC.x >= 0.0f ? 1.0f : -1.0f;
+  const vec2 inwards = turn * vec2(-along.y, along.x) / sqrt(max(dot(along, along), 1e-30f));
+  const float height = min(wayToRim(texelCentre, inwards),
+                           min(wayToLine(texelCentre, inwards, b, c), wayToLine(texelCentre, inwards, c, a)));
+  grown.corners[0] = a + fromA * along;
+  grown.corners[1] = b - fromB * along;
+  grown.corners[2] = texelCentre + height * inwards;
+  return grown;
+}
+
+SUNDIAL_FUNCTION uvec4 packedTriangle(MapTriangle given, vec2 texelCentre) {
+  MapTriangle t = given;
+  if (!isOnGrid(t.corners[0]) && !isOnGrid(t.corners[1]) && !isOnGrid(t.corners[2]))
+    t = grownAbout(given, texelCentre);
   const vec2 a = cornerOnGrid(t.corners[0], t.corners[1], t.corners[2], texelCentre);
   const vec2 b = cornerOnGrid(t.corners[1], t.corners[2], t.corners[0], texelCentre);
   const vec2 c = cornerOnGrid(t.corners[2], t.corners[0], t.corners[1], texelCentre);
+  const vec2 slope = t.depth > 1.0f ? vec2(0.0f) : t.slope;
   return uvec4(codeOfCorner(a), codeOfCorner(b), codeOfCorner(c),
-               codeOfDepth(t.depth) << 16 | codeOfSlope(t.slope.x) << 8 | codeOfSlope(t.slope.y));
+               codeOfDepth(t.depth) << 16 | codeOfSlope(slope.x) << 8 | codeOfSlope(slope.y));
 }
 
 SUNDIAL_SHARED_END

@@ -82,6 +82,7 @@ inline Image::Format formatOf(Aov aov) {
     case Aov::id:
       return Image::Format::rg32u;
     case Aov::view:
+    case Aov::lookupClass:
       return Image::Format::r32u;
     default:
       return Image::Format::r32f;

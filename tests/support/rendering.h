@@ -56,8 +56,9 @@ inline Light spot(const glm::dvec3& from, const glm::dvec3& to, double coneDegre
           .coneDegrees = coneDegrees};
 }
 
-inline constexpr std::initializer_list<Aov> kAllImages = {
-    Aov::colour, Aov::visibility, Aov::reference, Aov::position, Aov::normal, Aov::id, Aov::view};
+inline constexpr std::initializer_list<Aov> kAllImages = {Aov::colour,   Aov::visibility, Aov::reference,
+                                                          Aov::position, Aov::normal,     Aov::id,
+                                                          Aov::view,     Aov::lookupClass};
 
 // One method's part of a job.
 struct Rendering {

@@ -1,0 +1,126 @@
+// Maps that hold triangles: shadows' edges finer than texels, what decides about a sample, and with which
+// other stages it goes.
+#include "shared/choices.h"
+#include "support/rendering.h"
+
+namespace sundial::test {
+namespace {
+
+class FrameSpsm : public RendererTest {
+ protected:
+  // Share of wrong pixels, by method.
+  static std::map<std::string, double> wrong(std::string_view scene, std::string_view view,
+                                             std::string_view light,
+                                             std::initializer_list<std::string_view> methods) {
+    const auto held = builtin(scene);
+    std::map<std::string, double> shares;
+    const auto renderings =
+        render(jobOf(held, viewOf(*held, view), lightOf(*held, light), {320, 320}, methods, {}, true));
+    auto method = methods.begin();
+    for (const Rendering& r : renderings) shares[std::string(*method++)] = 1 - r.result.measures->pixelMatch;
+    return shares;
+  }
+};
+
+// Straight edges of large triangles are where they are, whatever the texels' size.
+TEST_F(FrameSpsm, EdgesOfLargeTrianglesAreExact) {
+  for (const char* light : {"sun", "spot"}) {
+    auto w = wrong("grid", "shadows", light,
+                   {"sm,texels=256", "spsm,texels=256", "spsm,texels=256,storage=depth-id"});
+    EXPECT_GT(w["sm,texels=256"], 0.005) << light;
+    EXPECT_LT(w["spsm,texels=256"], 0.15 * w["sm,texels=256"]) << light;
+    EXPECT_LT(w["spsm,texels=256,storage=depth-id"], 0.1 * w["sm,texels=256"]) << light;
+    EXPECT_LE(w["spsm,texels=256,storage=depth-id"], w["spsm,texels=256"]) << light;
+  }
+}
+
+TEST_F(FrameSpsm, RebuiltEdgesMakeUpForTrianglesThatNoTexelHolds) {
+  auto w = wrong("knot", "main", "sun",
+                 {"sm,texels=1024", "spsm,texels=1024", "spsm,texels=1024,recovery=off", "rgsm,texels=1024",
+                  "rgsm,texels=1024,kernel=5"});
+  EXPECT_LT(w["spsm,texels=1024"], 0.7 * w["sm,texels=1024"]);
+  EXPECT_GT(w["spsm,texels=1024,recovery=off"], 3 * w["spsm,texels=1024"]);
+  EXPECT_GT(w["rgsm,texels=1024"], w["rgsm,texels=1024,kernel=5"]);
+  EXPECT_GT(w["rgsm,texels=1024,kernel=5"], 2 * w["spsm,texels=1024"]);
+}
+
+TEST_F(FrameSpsm, GoesWithEveryWayToPlaceMaps) {
+  for (const auto& [plan, light] : {std::tuple("sdsm-log,texels=256", "sun"),
+                                    {"csm,texels=256", "sun"},
+                                    {"msf,texels=512", "sun"},
+                                    {"ferko,texels=512", "sun"},
+                                    {"dv,texels=512", "spot"},
+                                    {"iasm,tile_sizes=256:256:256:256", "sun"}}) {
+    SCOPED_TRACE(plan);
+    const std::string spsm = fmt::format("{},storage=triangle,lookup=spsm", plan);
+    const std::string ids = fmt::format("{},storage=depth-id,lookup=spsm", plan);
+    auto w = wrong("grid?n=20", "shadows", light, {plan, spsm, ids});
+    EXPECT_LT(w[ids], 0.4 * w[plan]);
+    // In a small tile of a large scene, 16 bits a corner are too few: what that costs is bounded.
+    EXPECT_LT(w[spsm], std::max(0.5 * w[plan], 0.002));
+  }
+}
+
+TEST_F(FrameSpsm, SaysWhatItAnsweredFrom) {
+  const auto scene = builtin("knot?along=60");
+  const Rendering r =
+      render(scene, viewOf(*scene, "main"), lightOf(*scene, "sun"), {200, 150}, "spsm-aa,texels=512");
+  std::array<std::size_t, 4> count{};
+  std::size_t between = 0;
+  for (std::size_t i = 0; i < r.pixels(); ++i) {
+    const auto found = r.at<std::uint32_t>(Aov::lookupClass, i);
+    ASSERT_LE(found, shared::kAnswerUncertain);
+    ++count[found];
+    // Nothing but a rebuilt edge is smoothed.
+    if (r.visibility(i) > 0 && r.visibility(i) < 1) {
+      ++between;
+      EXPECT_EQ(found, shared::kAnswerUncertain);
+    }
+    EXPECT_EQ(r.visibility(i) * 4, std::round(r.visibility(i) * 4));
+  }
+  EXPECT_GT(between, 20u);
+  EXPECT_EQ(r.work("resolve", "one_triangle"), count[shared::kAnswerOneTriangle]);
+  EXPECT_EQ(r.work("resolve", "neighbours"), count[shared::kAnswerNeighbours]);
+  EXPECT_EQ(r.work("resolve", "uncertain"), count[shared::kAnswerUncertain]);
+  EXPECT_EQ(r.work("resolve", "more_positions"), 3 * count[shared::kAnswerUncertain]);
+  EXPECT_GT(count[shared::kAnswerOneTriangle], 4 * count[shared::kAnswerUncertain]);
+
+  const Rendering plain =
+      render(scene, viewOf(*scene, "main"), lightOf(*scene, "sun"), {200, 150}, "sm,texels=512");
+  EXPECT_EQ(plain.at<std::uint32_t>(Aov::lookupClass, 0), 0xffffffffu);
+}
+
+// 16 bytes a texel, and 8 while it is drawn.
+TEST_F(FrameSpsm, SaysWhatMemoryItTakes) {
+  const auto scene = builtin("grid");
+  const auto r = render(jobOf(scene, viewOf(*scene, "main"), lightOf(*scene, "sun"), {32, 32},
+                              {"spsm,texels=1024", "spsm,texels=1024,storage=depth-id"}));
+  EXPECT_EQ(r[0].result.storeBytes, 24u << 20);
+  EXPECT_EQ(r[1].result.storeBytes, 8u << 20);
+}
+
+// A texel holds its triangle from both sides of a map's rim.
+TEST_F(FrameSpsm, IsLitBeyondItsMapAndWithoutACaster) {
+  const auto nothing = sharedScene(SceneBuilder("empty").finish());
+  EXPECT_EQ(render(jobOf(nothing, defaultView(*nothing), sun(50, 0), {24, 24},
+                         {"spsm,texels=64", "rgsm,texels=64", "dv,texels=64,storage=triangle,lookup=spsm"},
+                         kAllImages, true))
+                .size(),
+            3u);
+}
+
+TEST(Spsm, RefusesWhatItCannotRead) {
+  const auto why = [](std::string_view text) {
+    const auto chosen = parseMethod(text);
+    return chosen ? "" : chosen.error().message;
+  };
+  EXPECT_NE(why("sm,lookup=spsm").find("storage=triangle or storage=depth-id"), std::string::npos);
+  EXPECT_NE(why("sm,storage=triangle").find("storage=triangle is read by"), std::string::npos);
+  EXPECT_NE(why("rgsm,kernel=4").find("give an odd number"), std::string::npos);
+  EXPECT_NE(why("spsm,positions=3").find("choose one of 1, 2, 4, 8"), std::string::npos);
+  EXPECT_NE(why("spsm,raster=pipeline").find("raster=compute"), std::string::npos);
+  EXPECT_EQ(why("spsm,texels=4096,kernel=5,recovery=off"), "");
+}
+
+}  // namespace
+}  // namespace sundial::test

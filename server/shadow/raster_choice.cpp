@@ -22,7 +22,7 @@ double mostTexelsToATriangle(Volume volume) {
       return 8;
     case Volume::samples:
     case Volume::inscribed:
-      return 2;
+      return 4.1;
   }
   return 0;
 }

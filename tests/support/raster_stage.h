@@ -97,6 +97,15 @@ class RasterStage {
 
     Rasteriser rasteriser(device_, pipelines_, choice, plan.viewCount, constants);
     BindingSet bindings(device_, pipelines_.layout);
+    // Something for all that no round reads.
+    for (std::uint32_t b = 1; b < shared::kBindCount; ++b) {
+      if (b < shared::kStorageBindings)
+        bindings.set(b, planBuffer);
+      else if (b < shared::kTexelBindings)
+        bindings.set(b, linear);
+      else
+        bindings.set(b, target.visibility, nearest);
+    }
     scene.bindTo(bindings);
     target.bindTo(bindings);
     bindNoStore(bindings, target.visibility, nearest, linear);
@@ -104,8 +113,6 @@ class RasterStage {
     bindings.set(shared::kBindPlan, planBuffer);
     bindings.set(shared::kBindCommands, commandBuffer);
     bindings.set(shared::kBindCounts, countBuffer);
-    for (const std::uint32_t unread : {shared::kBindAnalysis, shared::kBindVisible, shared::kBindSilhouette})
-      bindings.set(unread, planBuffer);
     rounds_ = 0;
     do {
       if (rounds_ > 0) rasteriser.makeRoom();

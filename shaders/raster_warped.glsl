@@ -47,7 +47,7 @@ ivec2 warpedColumns(vec2 low, vec2 high) {
 
 // And the rows of one of these columns: its middle has one function.
 ivec2 warpedRows(uint column, vec2 range) {
-  const uint last = warpSize().y, table = around(float(column) + 0.5, true).first;
+  const uint last = warpSize().y, table = between(float(column) + 0.5, true).first;
   return ivec2(max(ceil(valueAt(table, range.x, last) - 0.5 - kRounding), 0),
                min(floor(valueAt(table, range.y, last) - 0.5 + kRounding), float(last - 1)));
 }

@@ -10,7 +10,8 @@ layout(local_size_x = kEntriesPerGroup * kColumnsPerEntry) in;
 void main() {
   const uint item = (gl_WorkGroupID.y * kWorkgroupsInRow + gl_WorkGroupID.x) * kEntriesPerGroup +
                     gl_LocalInvocationID.x / kColumnsPerEntry;
-  if (item >= min(raster.listedCount[kKind], push.listedRoom)) return;
+  // A list that overflowed has gaps: all is drawn again.
+  if (item >= raster.listedCount[kKind] || raster.listedCount[kKind] > push.listedRoom) return;
   const ListedTriangle entry = listed[kKind * push.listedRoom + item];
   const uint view = entry.view & ((1u << kViewBits) - 1);
   Corner corners[3];

@@ -14,8 +14,8 @@
 
 layout(constant_id = 7) const uint kWarp = kWarpNone;
 
-// How tables lie in the buffer, one behind the other: X's values at the edges of texels, function by function; Y's; bounds
-// of X over groups of functions, least and greatest; and the centres' origins.
+// How tables lie in the buffer, one behind the other: where texels' centres came from; X's values at the edges of texels,
+// function by function; Y's; and bounds of X over groups of functions, least and greatest.
 uvec2 warpSize() { return frame.settings.mapSize; }
 uint functions(bool down) { return kWarp == kWarpNonOrthogonal ? (down ? warpSize().x : warpSize().y) : 1; }
 uint knots(bool down) { return (down ? warpSize().y : warpSize().x) + 1; }
@@ -34,13 +34,12 @@ uint lastLevel() {
   return level;
 }
 
-uint functionAt(uint f, bool down) { return (down ? functions(false) * knots(false) : 0) + f * knots(down); }
+uint centreAt(uvec2 texel) { return 2 * (texel.y * warpSize().x + texel.x); }
+uint functionAt(uint f, bool down) {
+  return 2 * warpSize().x * warpSize().y + (down ? functions(false) * knots(false) : 0) + f * knots(down);
+}
 uint boundAt(uint level, uint group, bool greatest) {
   return functionAt(functions(true), true) + (2 * (groupsBefore(level) + group) + (greatest ? 1 : 0)) * knots(false);
-}
-uint centreAt(uvec2 texel) {
-  const uint begin = functions(false) > 1 ? boundAt(lastLevel() + 1, 0, false) : functionAt(functions(true), true);
-  return begin + 2 * (texel.y * warpSize().x + texel.x);
 }
 
 // The function whose values begin at `table`, at a position.
@@ -56,32 +55,32 @@ float stretchAt(uint table, float position, uint last) {
 }
 
 // The two functions whose rows' or columns' middles are around a position, and the second one's share.
-struct Around {
+struct Between {
   uint first;
   uint second;
   float share;
 };
-Around around(float position, bool down) {
+Between between(float position, bool down) {
   const float at = clamp(position - 0.5, 0, float(functions(down) - 1));
   const uint first = uint(at);
-  return Around(functionAt(first, down), functionAt(min(first + 1, functions(down) - 1), down), at - float(first));
+  return Between(functionAt(first, down), functionAt(min(first + 1, functions(down) - 1), down), at - float(first));
 }
 
 float warpedAcross(vec2 p) {
-  const Around a = around(p.y, false);
+  const Between a = between(p.y, false);
   const uint last = warpSize().x;
   return mix(valueAt(a.first, p.x, last), valueAt(a.second, p.x, last), a.share);
 }
 
 vec2 warpedPosition(vec2 p) {
   const float x = warpedAcross(p);
-  const Around a = around(x, true);
+  const Between a = between(x, true);
   const uint last = warpSize().y;
   return vec2(x, mix(valueAt(a.first, p.y, last), valueAt(a.second, p.y, last), a.share));
 }
 
 vec2 warpStretch(vec2 p) {
-  const Around row = around(p.y, false), column = around(warpedAcross(p), true);
+  const Between row = between(p.y, false), column = between(warpedAcross(p), true);
   return vec2(mix(stretchAt(row.first, p.x, warpSize().x), stretchAt(row.second, p.x, warpSize().x), row.share),
               mix(stretchAt(column.first, p.y, warpSize().y), stretchAt(column.second, p.y, warpSize().y), column.share));
 }

@@ -436,6 +436,10 @@ shared::Plan Frame::downloadPlan() const {
   return plan;
 }
 
+std::vector<float> Frame::downloadWarp() const {
+  return warp_ ? valuesOf<float>(downloaded(view_.device, warp_->tables())) : std::vector<float>();
+}
+
 std::vector<float> Frame::downloadDepths() const { return store_ ? store_->depths() : std::vector<float>(); }
 
 std::uint64_t Frame::storeTexels() const { return store_ ? store_->texels() : 0; }

@@ -21,6 +21,7 @@ class WarpMaps {
   void bindTo(BindingSet&) const;
   // After the plan; bindings are bound. Buffers' contents are visible to shaders then.
   void record(VkCommandBuffer) const;
+  const Buffer& tables() const { return tables_; }
   std::uint64_t bytes() const { return tables_.size() + importance_.size(); }
 
  private:

@@ -142,8 +142,8 @@ const std::vector<Place> kPlaces = {
 
 TEST_F(FrameWarp, EveryFunctionRisesFromRimToRimAndTheInverseIsOne) {
   for (const Place& p : kPlaces)
-    for (const char* text : {"rtw,texels=200x120", "notw,texels=200x120", "notw,texels=128,window=1,even=0.05",
-                             "rtw,texels=64,weights=1:1:2,window=3"}) {
+    for (const char* text : {"rtw,texels=200x120", "notw,texels=200x120",
+                             "notw,texels=128,window=1,even=0.05", "rtw,texels=64,weights=1:1:2,window=3"}) {
       SCOPED_TRACE(p.scene + " " + text);
       const auto scene = builtin(p.scene);
       const Warped w = warp(scene, viewOf(*scene, p.view), lightOf(*scene, p.light), {300, 200}, text);
@@ -226,7 +226,8 @@ TEST_F(FrameWarp, SamplesSpreadOverTheTexels) {
       return warp(scene, viewOf(*scene, p.view), lightOf(*scene, p.light), {1024, 1024}, text);
     };
     const Warped w = of("notw,texels=256,even=0.05,window=5"), mild = of("notw,texels=256");
-    const double before = variation(countsOf(w.samples, w.size)), after = variation(countsOf(moved(w), w.size));
+    const double before = variation(countsOf(w.samples, w.size)),
+                 after = variation(countsOf(moved(w), w.size));
     const double afterMild = variation(countsOf(moved(mild), w.size));
     EXPECT_LT(after, before / 3) << p.scene;
     EXPECT_LT(afterMild, 0.6 * before) << p.scene;

@@ -158,7 +158,8 @@ std::vector<Pass> Frame::passes() {
                 shade};
       case PlanTiming::delayed:
         // What was analysed lies relative to its origin.
-        if (analysedAt_ == view_.origin) return {gbuffer, plan, warp, cull, store, filter, resolve, shade, analyze};
+        if (analysedAt_ == view_.origin)
+          return {gbuffer, plan, warp, cull, store, filter, resolve, shade, analyze};
         [[fallthrough]];
       case PlanTiming::gpu:
         return {gbuffer, analyze, plan, warp, cull, store, filter, resolve, shade};

@@ -138,7 +138,9 @@ std::uint32_t warpOf(Warp warp) {
 }
 
 // Of shaders that have nothing but the warp to choose, and one number of their own.
-Specialization warpConstants(Warp warp, std::uint32_t own = 0) { return {own, 0, 0, 0, 0, 0, 0, warpOf(warp)}; }
+Specialization warpConstants(Warp warp, std::uint32_t own = 0) {
+  return {own, 0, 0, 0, 0, 0, 0, warpOf(warp)};
+}
 
 std::uint32_t storeOf(const Method& method) {
   if (!isLinear(method)) return shared::kStoreImage;
@@ -154,7 +156,8 @@ Specialization lookupConstants(const Method& method) {
     if (method.settings.choose == Choose::tightest) return shared::kChooseTightest;
     return stages.focus == Focus::snapped ? shared::kChooseRadius : shared::kChooseDepth;
   }();
-  return {storeOf(method), choice, shadowViewsOf(method), method.settings.blend > 0, 0, 0, 0, warpOf(stages.warp)};
+  return {storeOf(method),    choice, shadowViewsOf(method), method.settings.blend > 0, 0, 0, 0,
+          warpOf(stages.warp)};
 }
 
 // Of the resolve pass, whose lookups may have choices of their own.

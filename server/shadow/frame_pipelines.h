@@ -45,8 +45,8 @@ struct RasterPipelines {
 
 // Of a warp; those of two do the rows and then the columns.
 struct WarpPipelines {
-  VkPipeline importance;                              // rectilinear alone
-  std::array<VkPipeline, 2> count, pool;      // non-orthogonal alone
+  VkPipeline importance;                  // rectilinear alone
+  std::array<VkPipeline, 2> count, pool;  // non-orthogonal alone
   std::array<VkPipeline, 2> functions;
   VkPipeline bounds, centres;  // bounds: non-orthogonal alone
 };

@@ -61,9 +61,10 @@ const std::vector<Rule>& rules() {
         .min = 1,
         .max = 32768,
         .defaultValue = kAuto,
-        .description =
-            "warp=rectilinear: over how many columns and rows importance is smoothed; auto: a sixteenth of the "
-            "map's side; non-orthogonal: how many neighbouring rows and columns share a function; auto: an eighth",
+        .description = "warp=rectilinear: over how many columns and rows importance is smoothed; auto: a "
+                       "sixteenth of the "
+                       "map's side; non-orthogonal: how many neighbouring rows and columns are counted "
+                       "together; auto: a quarter",
         .choices = {kAuto}},
        [](const Stages& s) { return s.warp != Warp::none; },
        [](const std::string& text, Method::Settings& s) { s.window = unlessAuto(text); }},
@@ -72,7 +73,7 @@ const std::vector<Rule>& rules() {
         .unit = "1",
         .min = 0.01,
         .max = 1,
-        .defaultValue = "0.4",
+        .defaultValue = "0.5",
         .description = "share of a warp's texels that is spread evenly, whatever is important"},
        [](const Stages& s) { return s.warp != Warp::none; },
        [](const std::string& text, Method::Settings& s) { s.even = numberIn(text); }},
@@ -82,8 +83,9 @@ const std::vector<Rule>& rules() {
         .min = 0,
         .max = 1000,
         .defaultValue = "1:0:0",
-        .description = "of what makes a sample important: how near it is to the eye, how much it faces it, and "
-                       "edges in depth; with warp=rectilinear"},
+        .description =
+            "of what makes a sample important: how near it is to the eye, how much it faces it, and "
+            "edges in depth; with warp=rectilinear"},
        [](const Stages& s) { return s.warp == Warp::rectilinear; },
        [](const std::string& text, Method::Settings& s) { s.weights = listIn(text); }},
       {{.name = "bias_texels",

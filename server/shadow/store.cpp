@@ -37,8 +37,9 @@ std::optional<std::string> whyTooLarge(const Method& method, const Device& devic
   if (!method.stages) return std::nullopt;
   const WarpSizes warp = warpSizesOf(method.stages->warp, {method.settings.width, method.settings.height});
   if (4 * std::max(warp.tables, warp.importance) > device.limits().maxStorageBufferRange)
-    return fmt::format("the tables of its warp take {} bytes, a buffer of this device has at most {}: ask for fewer texels",
-                       4 * std::max(warp.tables, warp.importance), device.limits().maxStorageBufferRange);
+    return fmt::format(
+        "the tables of its warp take {} bytes, a buffer of this device has at most {}: ask for fewer texels",
+        4 * std::max(warp.tables, warp.importance), device.limits().maxStorageBufferRange);
   const std::uint64_t views = shadowViewsOf(method);
   const bool ids = keepsIds(method.stages->storage);
   if (ids && !device.hasInt64Atomics())
@@ -110,9 +111,9 @@ void bindNoStore(BindingSet& bindings, const GpuImage& unread, VkSampler sampler
   for (const std::uint32_t binding : {shared::kBindStore, shared::kBindMultisampled, shared::kBindMoments,
                                       shared::kBindBlurred})
     bindings.set(binding, unread, sampler);
-  for (const std::uint32_t binding : {shared::kBindLinear, shared::kBindRaster, shared::kBindListed,
-                                      shared::kBindParts, shared::kBindBands, shared::kBindWarps,
-                                      shared::kBindImportance})
+  for (const std::uint32_t binding :
+       {shared::kBindLinear, shared::kBindRaster, shared::kBindListed, shared::kBindParts, shared::kBindBands,
+        shared::kBindWarps, shared::kBindImportance})
     bindings.set(binding, static_cast<const Buffer&>(unreadToo));
   bindings.set(shared::kBindLinearTexels, unreadToo);
 }

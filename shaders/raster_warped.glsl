@@ -4,8 +4,12 @@
 // Edges are those of homogeneous coordinates [Olano and Greer 1997]: no clipping, whatever lies behind the light.
 #ifndef SUNDIAL_RASTER_WARPED_GLSL
 #define SUNDIAL_RASTER_WARPED_GLSL
+#include "material.glsl"
 #include "raster.glsl"
 #include "warp.glsl"
+
+// What becomes of a covered texel: keep_depth.glsl.
+void keep(uint index, float depth, uint id);
 
 // A listed triangle has an entry for each so many of its columns, next to its view's number.
 const uint kColumnsPerEntry = 8, kEntriesPerGroup = 8, kViewBits = 8;

@@ -23,7 +23,8 @@ float footprint(uint view, ViewSample s) {
   const vec3 axis = abs(s.wsNormal.y) < 0.9 ? vec3(0, 1, 0) : vec3(1, 0, 0);
   const vec3 wsU = normalize(cross(axis, s.wsNormal)), wsV = cross(s.wsNormal, wsU);
   const vec4 clipU = v.shadowFromWorld * vec4(wsU, 0), clipV = v.shadowFromWorld * vec4(wsV, 0);
-  const vec2 texelsPerUnit = 0.5 * vec2(v.rectSize) / clip.w;
+  vec2 texelsPerUnit = 0.5 * vec2(v.rectSize) / clip.w;
+  if (kWarp != kWarpNone) texelsPerUnit *= warpStretch(0.5 * (shadow.xy + 1) * vec2(v.rectSize));
   const mat2 texelFromPlane = mat2((clipU.xy - shadow.xy * clipU.w) * texelsPerUnit,
                                    (clipV.xy - shadow.xy * clipV.w) * texelsPerUnit);
   if (determinant(texelFromPlane) == 0) return 0;

@@ -16,6 +16,8 @@ layout(set = 0, binding = kBindCommands, scalar) buffer CommandBlock { DrawComma
 layout(set = 0, binding = kBindVisible, scalar) buffer VisibleBlock { uvec2 visible[]; };
 layout(set = 0, binding = kBindCounts, scalar) buffer CountBlock { uint counts[]; };
 layout(set = 0, binding = kBindLinear, scalar) buffer LinearBlock { uint linearStore[]; };
+layout(set = 0, binding = kBindWarps, scalar) buffer WarpBlock { float warps[]; };
+layout(set = 0, binding = kBindImportance, scalar) buffer ImportanceBlock { uint importance[]; };
 layout(set = 0, binding = kBindVertices) uniform usamplerBuffer vertexTexels;
 layout(set = 0, binding = kBindAttributes) uniform usamplerBuffer attributeTexels;
 layout(set = 0, binding = kBindTriangles) uniform usamplerBuffer triangleTexels;

@@ -8,10 +8,12 @@
 #ifndef SUNDIAL_RECEIVER_GLSL
 #define SUNDIAL_RECEIVER_GLSL
 #include "light.glsl"
+#include "warp.glsl"
 
 struct Receiver {
   ViewSample viewSample;
   vec2 texel;          // position in the view's map, texels
+  vec2 unwarped;       // the same before the warp, where the plane is a plane
   float depth;         // with bias; greater is nearer to the light
   float exactDepth;    // moved by bias_world alone: for what is exact where the sample is
   float worldBias;     // bias_world, as a difference of depth
@@ -29,7 +31,8 @@ Receiver receiverIn(uint view, ViewSample s) {
   const vec3 ls = light.xyz / light.w;
   Receiver r;
   r.viewSample = s;
-  r.texel = (ls.xy - vec2(lsMin.x, lsMax.y)) * texelsPerLight;
+  r.unwarped = (ls.xy - vec2(lsMin.x, lsMax.y)) * texelsPerLight;
+  r.texel = kWarp == kWarpNone ? r.unwarped : warpedPosition(r.unwarped);
 
   // Planes transform by the inverse transposed; in homogeneous coordinates that holds for a perspective light too.
   const vec4 plane = vec4(s.wsNormal, -dot(s.wsNormal, s.wsPosition)) * plan.worldFromLight;
@@ -39,8 +42,8 @@ Receiver receiverIn(uint view, ViewSample s) {
   const vec3 toLight = towardsLight(s.wsPosition);
   const vec4 towards = plan.lightFromWorld * vec4(toLight, 0);
   const float depthPerMetre = (towards.z - ls.z * towards.w) / light.w * depthPerLight;
-  const vec2 texelSize = plan.views[view].texelSize;
-  const float texelMetres = max(texelSize.x, texelSize.y) * (frame.lightKind == kLightSpot ? light.w : 1.0);
+  const vec2 texelSize = plan.views[view].texelSize / (kWarp == kWarpNone ? vec2(1) : warpStretch(r.unwarped));
+  const float texelMetres = (kWarp == kWarpNone ? max(texelSize.x, texelSize.y) : sqrt(texelSize.x * texelSize.y)) * (frame.lightKind == kLightSpot ? light.w : 1.0);
   // A face that looks into the light meets its neighbours' texels with half of the error of one at 45 degrees.
   const float cosine = dot(s.wsNormal, toLight), sine = sqrt(max(1 - cosine * cosine, 0));
   const float biasTexels = frame.biasTexels * (0.5 + 0.5 * min(sine / cosine, 1));
@@ -51,6 +54,9 @@ Receiver receiverIn(uint view, ViewSample s) {
 }
 
 // The receiver's depth at the centre of a texel.
-float depthAt(Receiver r, ivec2 texel) { return r.depth + dot(r.depthPerTexel, vec2(texel) + 0.5 - r.texel); }
+float depthAt(Receiver r, ivec2 texel) {
+  const vec2 centre = kWarp == kWarpNone ? vec2(texel) + 0.5 : centreOrigin(uvec2(texel));
+  return r.depth + dot(r.depthPerTexel, centre - r.unwarped);
+}
 
 #endif

@@ -65,6 +65,7 @@ Frame::Frame(const FrameView& view, const Method& method, MakeStore* make)
   *constants_.mapped<shared::FrameConstants>() = constants;
   if (method.stages) {
     store_ = make(view.device, view.pipelines, method_, constants);
+    if (method.stages->warp != Warp::none) warp_.emplace(view.device, view.pipelines, method_, constants);
     if (method.settings.plan == PlanTiming::readback) {
       hostPlan_.emplace(view.device, sizeof(shared::Plan), 0, MemoryUse::readback);
       hostCommands_.emplace(view.device,
@@ -96,8 +97,9 @@ void Frame::bindTo(BindingSet& bindings, const ViewTarget& samples) const {
   bindings.set(shared::kBindTables, view_.pipelines.tables);
   bindings.set(shared::kBindHeld, samples.normals, nearest_);  // unread, unless a store has triangles
   if (volumes_) return volumes_->bindTo(bindings);
-  if (store_) return store_->bindTo(bindings);
-  bindNoStore(bindings, samples.visibility, nearest_, unread_);
+  if (!store_) return bindNoStore(bindings, samples.visibility, nearest_, unread_);
+  store_->bindTo(bindings);
+  if (warp_) warp_->bindTo(bindings);
 }
 
 void Frame::look(const FrameView& view) {
@@ -127,6 +129,7 @@ std::vector<Pass> Frame::passes() {
 
   const Pass analyze{.name = "analyze", .record = on(&Frame::analyze)};
   const Pass plan{.name = "plan", .record = on(&Frame::plan)};
+  const Pass warp = warp_ ? Pass{.name = "warp", .record = on(&Frame::warp)} : Pass{};
   const Pass cull{.name = "cull",
                   .record = [this](VkCommandBuffer command) { this->cull(command, 1, shadowViews_); }};
   const Pass store{.name = "store",
@@ -141,6 +144,7 @@ std::vector<Pass> Frame::passes() {
         return {gbuffer,
                 analyze,
                 plan,
+                warp,
                 {.name = "readback", .record = on(&Frame::readPlan)},
                 {.name = "cull",
                  .host =
@@ -154,10 +158,11 @@ std::vector<Pass> Frame::passes() {
                 shade};
       case PlanTiming::delayed:
         // What was analysed lies relative to its origin.
-        if (analysedAt_ == view_.origin) return {gbuffer, plan, cull, store, filter, resolve, shade, analyze};
+        if (analysedAt_ == view_.origin)
+          return {gbuffer, plan, warp, cull, store, filter, resolve, shade, analyze};
         [[fallthrough]];
       case PlanTiming::gpu:
-        return {gbuffer, analyze, plan, cull, store, filter, resolve, shade};
+        return {gbuffer, analyze, plan, warp, cull, store, filter, resolve, shade};
     }
     return {};
   }();
@@ -219,6 +224,7 @@ void Frame::analyze(VkCommandBuffer command) const {
       dispatch(command, pipelines_->analyzeDepths, samples);
     dispatch(command, pipelines_->analyzeSplits, 1);
   }
+  if (stages.warp == Warp::rectilinear) dispatch(command, pipelines_->analyzeDepths, samples);
   const bool tiles = stages.partition == Partition::tiles;
   const bool estimated = stages.resolution == Resolution::estimated;
   if (tiles && !method_.settings.extent) dispatch(command, pipelines_->analyzeSquare, samples);
@@ -232,6 +238,12 @@ void Frame::analyze(VkCommandBuffer command) const {
 void Frame::plan(VkCommandBuffer command) const {
   bindings_.bind(command);
   dispatch(command, pipelines_->plan, 1);
+}
+
+// How the maps are re-parameterised.
+void Frame::warp(VkCommandBuffer command) const {
+  bindings_.bind(command);
+  warp_->record(command);
 }
 
 void Frame::dispatch(VkCommandBuffer command, VkPipeline pipeline, std::uint32_t groups) const {
@@ -425,6 +437,10 @@ shared::Plan Frame::downloadPlan() const {
   return plan;
 }
 
+std::vector<float> Frame::downloadWarp() const {
+  return warp_ ? valuesOf<float>(downloaded(view_.device, warp_->tables())) : std::vector<float>();
+}
+
 std::vector<float> Frame::downloadDepths() const { return store_ ? store_->depths() : std::vector<float>(); }
 
 std::uint64_t Frame::storeTexels() const { return store_ ? store_->texels() : 0; }
@@ -442,6 +458,7 @@ std::uint64_t Frame::otherBytes() const {
     bytes += volumes_->bytes() + view_.edges->bytes() + commands_.size() + visible_.size() + counts_.size();
   if (method_.stages)
     bytes += analysis_.size() + plan_.size() + commands_.size() + visible_.size() + counts_.size();
+  if (warp_) bytes += warp_->bytes();
   for (const auto* buffer :
        {&hostPlan_, &hostCommands_, &hostCounts_, &hostPositions_, &hostNormals_, &hostVisibility_})
     if (*buffer) bytes += (*buffer)->size();

@@ -13,6 +13,7 @@
 #include "shadow/shadow_volumes.h"
 #include "shadow/store.h"
 #include "shadow/view_target.h"
+#include "shadow/warp_maps.h"
 #include "shared/plan.h"
 #include "work.h"
 
@@ -67,6 +68,7 @@ class Frame {
 
   bool drawsByCompute() const { return isLinear(method_); }
   shared::Plan downloadPlan() const;          // viewCount 0 for methods without a map
+  std::vector<float> downloadWarp() const;    // the tables of shaders/warp.glsl; empty without a warp
   std::vector<float> downloadDepths() const;  // Store::depths()
   std::uint64_t storeTexels() const;          // that there is memory for
   std::uint64_t storeBytes() const;
@@ -78,6 +80,7 @@ class Frame {
   void gbuffer(VkCommandBuffer) const;
   void analyze(VkCommandBuffer) const;
   void plan(VkCommandBuffer) const;
+  void warp(VkCommandBuffer) const;
   void cull(VkCommandBuffer, std::uint32_t firstSlot, std::uint32_t slots) const;
   void readPlan(VkCommandBuffer) const;
   void takeHostDraws(VkCommandBuffer) const;
@@ -107,6 +110,7 @@ class Frame {
   std::optional<MethodPipelines> pipelines_;  // with a map
   Buffer constants_, analysis_, plan_, commands_, visible_, counts_;
   std::unique_ptr<Store> store_;  // with a map
+  std::optional<WarpMaps> warp_;
   Sampler nearest_;
   TexelBuffer unread_;
   BindingSet bindings_;

@@ -131,6 +131,17 @@ std::string_view lookupShader(Lookup lookup) {
   return {};
 }
 
+std::uint32_t warpOf(Warp warp) {
+  return warp == Warp::none          ? shared::kWarpNone
+         : warp == Warp::rectilinear ? shared::kWarpRectilinear
+                                     : shared::kWarpNonOrthogonal;
+}
+
+// Of shaders that have nothing but the warp to choose, and one number of their own.
+Specialization warpConstants(Warp warp, std::uint32_t own = 0) {
+  return {own, 0, 0, 0, 0, 0, 0, warpOf(warp)};
+}
+
 std::uint32_t storeOf(const Method& method) {
   if (!isLinear(method)) return shared::kStoreImage;
   if (method.stages->storage == Storage::triangle) return shared::kStoreTriangles;
@@ -145,14 +156,18 @@ Specialization lookupConstants(const Method& method) {
     if (method.settings.choose == Choose::tightest) return shared::kChooseTightest;
     return stages.focus == Focus::snapped ? shared::kChooseRadius : shared::kChooseDepth;
   }();
-  return {storeOf(method), choice, shadowViewsOf(method), method.settings.blend > 0};
+  return {storeOf(method),    choice, shadowViewsOf(method), method.settings.blend > 0, 0, 0, 0,
+          warpOf(stages.warp)};
 }
 
 // Of the resolve pass, whose lookups may have choices of their own.
 Specialization resolveConstants(const Method& method, std::uint32_t answer) {
   Specialization constants = lookupConstants(method);
-  if (method.stages->lookup == Lookup::spsm)
-    constants.insert(constants.end(), {answer, method.settings.recovery, method.settings.positions});
+  if (method.stages->lookup == Lookup::spsm) {
+    constants[4] = answer;
+    constants[5] = method.settings.recovery;
+    constants[6] = method.settings.positions;
+  }
   return constants;
 }
 
@@ -196,6 +211,7 @@ MethodPipelines FramePipelines::of(const Method& method) {
     if (stages.volume == Volume::samples)
       made.analyzeDepths = compute("analyze_depths.comp", {histogram, stages.focus == Focus::snapped});
   }
+  if (stages.warp == Warp::rectilinear) made.analyzeDepths = compute("analyze_depths.comp", {false, false});
   if (samples) made.analyzeSegments = compute("analyze_segments.comp", segmentsConstants(method));
   if (stages.partition == Partition::tiles) {
     if (!method.settings.extent) made.analyzeSquare = compute("analyze_square.comp", {});
@@ -205,6 +221,10 @@ MethodPipelines FramePipelines::of(const Method& method) {
     made.store = drawing(storeOf("store_placed.vert", "", false));
     made.storeMasked = drawing(storeOf("store_placed_masked.vert", "store_depth_masked.frag", true));
     made.storeClear = drawing(clearOf());
+  } else if (stages.warp != Warp::none && !isLinear(method)) {
+    const Specialization warp = warpConstants(stages.warp);
+    made.store = drawing(storeOf("store_warped.vert", "", false), warp);
+    made.storeMasked = drawing(storeOf("store_warped_masked.vert", "store_depth_masked.frag", true), warp);
   } else if (stages.storage == Storage::moments) {
     constexpr VkFormat kMoments = VK_FORMAT_R32G32B32A32_SFLOAT;
     made.store = drawing(multisampledOf("store_depth.vert", "", false));
@@ -220,7 +240,13 @@ RasterPipelines FramePipelines::raster(const RasterChoice& choice, bool opaque, 
   RasterPipelines made{.begin = compute("raster_begin.comp", {})};
   for (const bool isMasked : {false, true}) {
     if (!(isMasked ? masked : opaque)) continue;
-    const Specialization constants{choice.coverage, isMasked, choice.texelMap};
+    const Specialization constants{
+        choice.coverage, isMasked, choice.texelMap, 0, 0, 0, 0, warpOf(choice.warp)};
+    if (choice.warp != Warp::none) {
+      made.kinds[isMasked] = {.clusters = compute("raster_warped_clusters.comp", constants),
+                              .listed = compute("raster_warped_listed.comp", constants)};
+      continue;
+    }
     const auto round = [&](std::string_view plain, std::string_view withId, std::string_view sum) {
       return compute(choice.sums ? sum : choice.ids ? withId : plain, constants);
     };
@@ -237,9 +263,27 @@ VkPipeline FramePipelines::classify(const Method& method) {
                     resolveConstants(method, shared::kAnswerOneTriangle));
 }
 
-VkPipeline FramePipelines::drawing(const GraphicsPipelineInfo& info) {
+WarpPipelines FramePipelines::warp(Warp warp) {
+  const auto both = [&](std::string_view shader) {
+    return std::array{compute(shader, warpConstants(warp, VK_FALSE)),
+                      compute(shader, warpConstants(warp, VK_TRUE))};
+  };
+  WarpPipelines made{.functions = both("warp_functions.comp"),
+                     .centres = compute("warp_centres.comp", warpConstants(warp))};
+  if (warp == Warp::rectilinear) {
+    made.importance = compute("warp_importance.comp", warpConstants(warp));
+  } else {
+    made.count = both("warp_count.comp");
+    made.pool = both("warp_pool.comp");
+    made.bounds = compute("warp_bounds.comp", warpConstants(warp));
+  }
+  return made;
+}
+
+VkPipeline FramePipelines::drawing(GraphicsPipelineInfo info, const Specialization& constants) {
+  info.specialization = constants;
   const auto [found, added] =
-      variants_.try_emplace({fmt::format("{} {}", info.vertexShader, info.fragmentShader), {}});
+      variants_.try_emplace({fmt::format("{} {}", info.vertexShader, info.fragmentShader), constants});
   if (added) found->second = makeGraphicsPipeline(device_, layout, info);
   return found->second;
 }

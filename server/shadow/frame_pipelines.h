@@ -31,6 +31,7 @@ struct RasterChoice {
   bool sums = false;  // 32 bits a texel, of a sum over all triangles: tests alone
   std::uint32_t coverage = shared::kCoverCentre;
   std::uint32_t texelMap = shared::kMapLinear;
+  Warp warp = Warp::none;  // with centre coverage, without ids
 };
 
 // Its rounds, for opaque and for masked triangles.
@@ -42,6 +43,14 @@ struct RasterPipelines {
   std::array<Kind, shared::kRasterKinds> kinds{};
 };
 
+// Of a warp; those of two do the rows and then the columns.
+struct WarpPipelines {
+  VkPipeline importance;                  // rectilinear alone
+  std::array<VkPipeline, 2> count, pool;  // non-orthogonal alone
+  std::array<VkPipeline, 2> functions;
+  VkPipeline bounds, centres;  // bounds: non-orthogonal alone
+};
+
 class FramePipelines {
  public:
   explicit FramePipelines(const Device&);
@@ -51,6 +60,7 @@ class FramePipelines {
   // How lookup=spsm answers, in the numbers of shared/choices.h, in the place of what it answers.
   VkPipeline classify(const Method&);
   RasterPipelines raster(const RasterChoice&, bool opaque, bool masked);
+  WarpPipelines warp(Warp);
   // The same for passes beside the stages.
   VkPipeline compute(std::string_view shader, const Specialization&);
   VkPipeline fullscreen(std::string_view shader, VkFormat, const Specialization&);
@@ -63,8 +73,8 @@ class FramePipelines {
   TexelBuffer tables;          // lookup_tables.h
 
  private:
-  // Told apart by their shaders alone.
-  VkPipeline drawing(const GraphicsPipelineInfo&);
+  // Told apart by their shaders and constants.
+  VkPipeline drawing(GraphicsPipelineInfo, const Specialization& = {});
 
   const Device& device_;
   Pipeline storeDepth_, storeDepthMasked_;

@@ -56,6 +56,9 @@ struct Method {
   struct Settings {
     bool cull = true;                      // clusters, for each shadow view
     unsigned width = 2048, height = 2048;  // texels of every map
+    std::optional<double> window;          // of a warp, texels; none: a share of the map's side
+    double even = 1;                       // share of a warp's texels, in (0, 1]
+    std::vector<double> weights;           // warp=rectilinear: of nearness, facing, edges
     double percentile = 0;                 // resolution=estimated, of the pixels' sizes, in [0, 50]
     PlanTiming plan = PlanTiming::gpu;
     Raster raster = Raster::automatic;

@@ -55,6 +55,39 @@ const std::vector<Rule>& rules() {
             "pixel of a grazing surface decides; with resolution=estimated"},
        [](const Stages& s) { return s.resolution == Resolution::estimated; },
        [](const std::string& text, Method::Settings& s) { s.percentile = numberIn(text); }},
+      {{.name = "window",
+        .kind = Kind::number,
+        .unit = "texels",
+        .min = 1,
+        .max = 32768,
+        .defaultValue = kAuto,
+        .description = "warp=rectilinear: over how many columns and rows importance is smoothed; auto: a "
+                       "sixteenth of the "
+                       "map's side; non-orthogonal: how many neighbouring rows and columns are counted "
+                       "together; auto: a quarter",
+        .choices = {kAuto}},
+       [](const Stages& s) { return s.warp != Warp::none; },
+       [](const std::string& text, Method::Settings& s) { s.window = unlessAuto(text); }},
+      {{.name = "even",
+        .kind = Kind::number,
+        .unit = "1",
+        .min = 0.01,
+        .max = 1,
+        .defaultValue = "0.5",
+        .description = "share of a warp's texels that is spread evenly, whatever is important"},
+       [](const Stages& s) { return s.warp != Warp::none; },
+       [](const std::string& text, Method::Settings& s) { s.even = numberIn(text); }},
+      {{.name = "weights",
+        .kind = Kind::list,
+        .unit = "1",
+        .min = 0,
+        .max = 1000,
+        .defaultValue = "1:0:0",
+        .description =
+            "of what makes a sample important: how near it is to the eye, how much it faces it, and "
+            "edges in depth; with warp=rectilinear"},
+       [](const Stages& s) { return s.warp == Warp::rectilinear; },
+       [](const std::string& text, Method::Settings& s) { s.weights = listIn(text); }},
       {{.name = "bias_texels",
         .kind = Kind::number,
         .unit = "texels",
@@ -370,6 +403,9 @@ std::optional<std::string> whyInconsistent(const Stages& stages, const Method::S
            "plan=gpu";
   if (asksTriangles(stages.lookup) && settings.kernel % 2 == 0)
     return fmt::format("kernel: {} texels have no middle one: give an odd number", settings.kernel);
+  if (stages.warp == Warp::rectilinear &&
+      (settings.weights.size() != 3 || std::ranges::max(settings.weights) <= 0))
+    return "weights: give three of them, of nearness, facing and edges, not all 0: 1:0:0";
   if (stages.storage == Storage::moments && settings.exponents.size() != 2)
     return fmt::format("exponents: {} of them; give the positive and the negative one: 40:5",
                        settings.exponents.size());

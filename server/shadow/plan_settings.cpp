@@ -152,6 +152,12 @@ void settle(shared::FrameConstants& c, const Method& method, const dvec3& origin
   else
     c.storeSize = to.mapSize * glm::uvec2(to.mapColumns, (views + to.mapColumns - 1) / to.mapColumns);
   if (stages.partition == Partition::tiles) to.mapSize = glm::uvec2(std::ranges::max(from.tileSizes));
+  const double side = std::max(from.width, from.height);
+  to.warpWindow =
+      static_cast<std::uint32_t>(from.window.value_or(side / (stages.warp == Warp::rectilinear ? 16 : 4)));
+  to.warpEvenShare = static_cast<float>(from.even);
+  if (stages.warp == Warp::rectilinear)
+    to.warpWeights = glm::vec3(from.weights[0], from.weights[1], from.weights[2]);
   to.smallerShare = static_cast<float>(from.percentile / 100);
   to.viewport = c.storeSize;
   if (stages.partition != Partition::tiles) return;

@@ -31,7 +31,8 @@ double mostTexelsToATriangle(Volume volume) {
 
 Method withRaster(Method method, const Device& device, std::uint64_t triangles) {
   if (!method.stages || method.settings.raster != Raster::automatic) return method;
-  if (method.stages->storage == Storage::linear || keepsIds(method.stages->storage)) {
+  if (method.stages->storage == Storage::linear || keepsIds(method.stages->storage) ||
+      method.stages->warp != Warp::none) {
     method.settings.raster = Raster::compute;
   } else if (method.stages->storage == Storage::moments || !device.isCpu() || !fitsBuffer(method, device)) {
     method.settings.raster = Raster::pipeline;

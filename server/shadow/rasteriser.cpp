@@ -85,7 +85,7 @@ void Rasteriser::record(VkCommandBuffer command) const {
         {&RasterPipelines::Kind::bands, offsetof(shared::RasterState, bands)}}) {
     push(0, 0);
     for (std::uint32_t kind = 0; kind < shared::kRasterKinds; ++kind) {
-      if (!pipelines_.kinds[kind].clusters) continue;
+      if (!(pipelines_.kinds[kind].*round)) continue;
       bind(pipelines_.kinds[kind].*round);
       vkCmdDispatchIndirect(command, state_, arguments + kind * sizeof(shared::DispatchCommand));
     }

@@ -27,7 +27,7 @@ const std::array<StageText, 7>& stageTexts() {
       stageText<&Stages::volume>("volume", {"scene", "frustum", "samples", "inscribed"}),
       stageText<&Stages::partition>(
           "partition", {"single", "manual", "uniform", "log", "practical", "adaptive", "kmeans", "tiles"}),
-      stageText<&Stages::warp>("warp", {"none"}),
+      stageText<&Stages::warp>("warp", {"none", "rectilinear", "non-orthogonal"}),
       stageText<&Stages::focus>("focus", {"loose", "depth", "aabb", "aligned", "snapped", "calipers"}),
       stageText<&Stages::resolution>("resolution", {"fixed", "ranked", "listed", "estimated"}),
       stageText<&Stages::storage>("storage", {"depth", "linear", "depth-id", "triangle", "moments"}),
@@ -92,6 +92,14 @@ std::optional<std::string> whyImpossible(const Stages& stages) {
   if (!estimated && tiles != (stages.resolution != Resolution::fixed))
     return "tiles, and nothing else, share out a list of sizes: use partition=tiles with resolution=ranked "
            "or listed";
+  if (stages.warp != Warp::none) {
+    if (!single || !samples)
+      return "a warp is made for the samples in one map: use volume=samples with partition=single";
+    if (stages.resolution != Resolution::fixed)
+      return "a warp shares out the texels of a map of given size: use resolution=fixed";
+    if (stages.storage != Storage::depth && stages.storage != Storage::linear)
+      return "warped maps hold depths alone: use storage=depth";
+  }
   if (estimated && stages.storage == Storage::moments)
     return "moments are kept in layers of one size: use resolution=fixed with storage=moments";
   if (tiles && (stages.storage == Storage::depth || stages.storage == Storage::moments))

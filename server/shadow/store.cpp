@@ -10,6 +10,7 @@
 #include "shadow/plan_settings.h"
 #include "shadow/raster_choice.h"
 #include "shadow/triangle_store.h"
+#include "shadow/warp_maps.h"
 #include "shared/bindings.h"
 
 namespace sundial {
@@ -34,6 +35,11 @@ std::uint64_t texelsOf(const shared::Plan& plan) {
 
 std::optional<std::string> whyTooLarge(const Method& method, const Device& device) {
   if (!method.stages) return std::nullopt;
+  const WarpSizes warp = warpSizesOf(method.stages->warp, {method.settings.width, method.settings.height});
+  if (4 * std::max(warp.tables, warp.importance) > device.limits().maxStorageBufferRange)
+    return fmt::format(
+        "the tables of its warp take {} bytes, a buffer of this device has at most {}: ask for fewer texels",
+        4 * std::max(warp.tables, warp.importance), device.limits().maxStorageBufferRange);
   const std::uint64_t views = shadowViewsOf(method);
   const bool ids = keepsIds(method.stages->storage);
   if (ids && !device.hasInt64Atomics())
@@ -105,8 +111,9 @@ void bindNoStore(BindingSet& bindings, const GpuImage& unread, VkSampler sampler
   for (const std::uint32_t binding : {shared::kBindStore, shared::kBindMultisampled, shared::kBindMoments,
                                       shared::kBindBlurred})
     bindings.set(binding, unread, sampler);
-  for (const std::uint32_t binding : {shared::kBindLinear, shared::kBindRaster, shared::kBindListed,
-                                      shared::kBindParts, shared::kBindBands})
+  for (const std::uint32_t binding :
+       {shared::kBindLinear, shared::kBindRaster, shared::kBindListed, shared::kBindParts, shared::kBindBands,
+        shared::kBindWarps, shared::kBindImportance})
     bindings.set(binding, static_cast<const Buffer&>(unreadToo));
   bindings.set(shared::kBindLinearTexels, unreadToo);
 }

@@ -21,36 +21,38 @@ SUNDIAL_CONST kBindListed = 10u;      // ListedTriangle[]
 SUNDIAL_CONST kBindParts = 11u;       // RasterPart[]
 SUNDIAL_CONST kBindBands = 12u;       // RasterBand[]
 SUNDIAL_CONST kBindSilhouette = 13u;  // SilhouetteDraw, SilhouetteEdge[]: shadow volumes
-SUNDIAL_CONST kStorageBindings = 14u;
+SUNDIAL_CONST kBindWarps = 14u;       // float[]: the warp's tables, warp.glsl
+SUNDIAL_CONST kBindImportance = 15u;  // uint[]: what they are made from
+SUNDIAL_CONST kStorageBindings = 16u;
 
 // Read at random, so through texel buffers: lavapipe gathers a whole texel at once, but a storage buffer's
 // words one by one and lane by lane.
-SUNDIAL_CONST kBindVertices = 14u;      // RGBA32UI: Vertex
-SUNDIAL_CONST kBindAttributes = 15u;    // RGBA32UI: Attributes
-SUNDIAL_CONST kBindTriangles = 16u;     // RGBA32UI: Triangle
-SUNDIAL_CONST kBindDraws = 17u;         // RG32UI: Draw
-SUNDIAL_CONST kBindInstances = 18u;     // RGBA32F: a row of Instance
-SUNDIAL_CONST kBindLinearTexels = 19u;  // R32UI or RG32UI: what kBindLinear holds
+SUNDIAL_CONST kBindVertices = 16u;      // RGBA32UI: Vertex
+SUNDIAL_CONST kBindAttributes = 17u;    // RGBA32UI: Attributes
+SUNDIAL_CONST kBindTriangles = 18u;     // RGBA32UI: Triangle
+SUNDIAL_CONST kBindDraws = 19u;         // RG32UI: Draw
+SUNDIAL_CONST kBindInstances = 20u;     // RGBA32F: a row of Instance
+SUNDIAL_CONST kBindLinearTexels = 21u;  // R32UI or RG32UI: what kBindLinear holds
 // Of shadow volumes alone:
-SUNDIAL_CONST kBindEdges = 20u;         // RGBA32UI: Edge
-SUNDIAL_CONST kBindEdgeSides = 21u;     // R32UI: triangles about edges
-SUNDIAL_CONST kBindClusterEdges = 22u;  // RG32UI: first and number of the edges of a cluster
-SUNDIAL_CONST kBindPlanes = 23u;        // RGBA32F: a triangle's plane, mesh space
-SUNDIAL_CONST kBindTables = 24u;        // RG32UI: slopes and patterns, lookup_tables.h
-SUNDIAL_CONST kTexelBindings = 25u;
+SUNDIAL_CONST kBindEdges = 22u;         // RGBA32UI: Edge
+SUNDIAL_CONST kBindEdgeSides = 23u;     // R32UI: triangles about edges
+SUNDIAL_CONST kBindClusterEdges = 24u;  // RG32UI: first and number of the edges of a cluster
+SUNDIAL_CONST kBindPlanes = 25u;        // RGBA32F: a triangle's plane, mesh space
+SUNDIAL_CONST kBindTables = 26u;        // RG32UI: slopes and patterns, lookup_tables.h
+SUNDIAL_CONST kTexelBindings = 27u;
 
-SUNDIAL_CONST kBindTextures = 25u;      // sampler2DArray: base colour
-SUNDIAL_CONST kBindDepth = 26u;         // sampler2D: the G-buffer's depth
-SUNDIAL_CONST kBindIds = 27u;           // usampler2D: the G-buffer's draw and triangle
-SUNDIAL_CONST kBindPositions = 28u;     // usampler2D: view samples, position's bits and instance
-SUNDIAL_CONST kBindNormals = 29u;       // usampler2D: view samples, normal's bits and triangle
-SUNDIAL_CONST kBindStore = 30u;         // sampler2D: the shadow maps
-SUNDIAL_CONST kBindVisibility = 31u;    // sampler2D: what resolve wrote
-SUNDIAL_CONST kBindMultisampled = 32u;  // sampler2DMS: the depths of one view, storage=moments
-SUNDIAL_CONST kBindMoments = 33u;       // sampler2DArray: a layer a view
-SUNDIAL_CONST kBindBlurred = 34u;       // sampler2DArray: a view half-way through its blur
-SUNDIAL_CONST kBindHeld = 35u;          // usampler2D: packed triangles, storage=triangle
-SUNDIAL_CONST kBindCount = 36u;
+SUNDIAL_CONST kBindTextures = 27u;      // sampler2DArray: base colour
+SUNDIAL_CONST kBindDepth = 28u;         // sampler2D: the G-buffer's depth
+SUNDIAL_CONST kBindIds = 29u;           // usampler2D: the G-buffer's draw and triangle
+SUNDIAL_CONST kBindPositions = 30u;     // usampler2D: view samples, position's bits and instance
+SUNDIAL_CONST kBindNormals = 31u;       // usampler2D: view samples, normal's bits and triangle
+SUNDIAL_CONST kBindStore = 32u;         // sampler2D: the shadow maps
+SUNDIAL_CONST kBindVisibility = 33u;    // sampler2D: what resolve wrote
+SUNDIAL_CONST kBindMultisampled = 34u;  // sampler2DMS: the depths of one view, storage=moments
+SUNDIAL_CONST kBindMoments = 35u;       // sampler2DArray: a layer a view
+SUNDIAL_CONST kBindBlurred = 36u;       // sampler2DArray: a view half-way through its blur
+SUNDIAL_CONST kBindHeld = 37u;          // usampler2D: packed triangles, storage=triangle
+SUNDIAL_CONST kBindCount = 38u;
 
 SUNDIAL_SHARED_END
 #endif

@@ -27,6 +27,9 @@ SUNDIAL_CONST kTileCasters = 0u, kTileDepth = 1u, kTileBox = 2u;
 // analyze_segments.comp, estimate.glsl.
 SUNDIAL_CONST kSizesFixed = 0u, kSizesSmallest = 1u, kSizesPercentile = 2u;
 
+// How a map is re-parameterised: warp.glsl.
+SUNDIAL_CONST kWarpNone = 0u, kWarpRectilinear = 1u, kWarpNonOrthogonal = 2u;
+
 // Which view answers a sample: choose_view.glsl.
 SUNDIAL_CONST kChooseOnly = 0u, kChooseDepth = 1u, kChooseRadius = 2u, kChooseTightest = 3u, kChooseTile = 4u;
 

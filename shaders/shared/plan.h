@@ -81,6 +81,11 @@ struct PlanSettings {
   // picture that a view's map is drawn as a part of, texels.
   float smallerShare;
   uvec2 viewport;
+  // The warp: over how many texels importance is smoothed, or how many rows share a function; how much of a function
+  // is spread evenly; and what counts how much for a rectilinear one: nearness, facing, edges.
+  uint warpWindow;
+  float warpEvenShare;
+  vec3 warpWeights;
   // focus=calipers: what the host found, light space after division; low above high where there is nothing.
   vec3 lsFitMin;
   vec3 lsFitMax;

@@ -1,0 +1,78 @@
+#include "shadow/warp_maps.h"
+
+#include "gpu/rendering.h"
+#include "shared/bindings.h"
+
+namespace sundial {
+
+namespace {
+
+constexpr VkBufferUsageFlags kUsage =
+    VK_BUFFER_USAGE_STORAGE_BUFFER_BIT | VK_BUFFER_USAGE_TRANSFER_DST_BIT | VK_BUFFER_USAGE_TRANSFER_SRC_BIT;
+constexpr std::uint64_t kPixelsPerInvocation = 16;
+
+// Two rows of bounds for each group of 8, 16, ... functions, until one group holds all: warp.glsl.
+std::uint64_t boundsRows(std::uint64_t functions) {
+  std::uint64_t rows = 0;
+  for (unsigned level = 3;; ++level) {
+    const std::uint64_t groups = (functions + (1u << level) - 1) >> level;
+    rows += 2 * groups;
+    if (groups <= 1) return rows;
+  }
+}
+
+}  // namespace
+
+WarpSizes warpSizesOf(Warp warp, const glm::uvec2& map) {
+  const std::uint64_t w = map.x, h = map.y, centres = 2 * w * h;
+  if (warp == Warp::none) return {0, 0};
+  if (warp == Warp::rectilinear) return {w + 1 + h + 1 + centres, w + h};
+  return {(h + boundsRows(h)) * (w + 1) + w * (h + 1) + centres, 2 * w * h};
+}
+
+WarpMaps::WarpMaps(const Device& device, FramePipelines& pipelines, const Method& method,
+                   const shared::FrameConstants& constants)
+    : warp_(method.stages->warp),
+      map_(constants.settings.mapSize),
+      pixels_(std::uint64_t{constants.imageSize.x} * constants.imageSize.y),
+      pipelines_(pipelines.warp(warp_)),
+      tables_(device, warpSizesOf(warp_, map_).tables * sizeof(float), kUsage),
+      importance_(device, warpSizesOf(warp_, map_).importance * sizeof(std::uint32_t), kUsage) {}
+
+void WarpMaps::bindTo(BindingSet& bindings) const {
+  bindings.set(shared::kBindWarps, tables_);
+  bindings.set(shared::kBindImportance, importance_);
+}
+
+void WarpMaps::clear(VkCommandBuffer command) const {
+  vkCmdFillBuffer(command, importance_, 0, VK_WHOLE_SIZE, 0);
+  barrier(command);
+}
+
+void WarpMaps::dispatch(VkCommandBuffer command, VkPipeline pipeline, std::uint64_t invocations) const {
+  vkCmdBindPipeline(command, VK_PIPELINE_BIND_POINT_COMPUTE, pipeline);
+  vkCmdDispatch(command, static_cast<std::uint32_t>((invocations + 63) / 64), 1, 1);
+  barrier(command);
+}
+
+void WarpMaps::record(VkCommandBuffer command) const {
+  const std::uint64_t samples = (pixels_ + kPixelsPerInvocation - 1) / kPixelsPerInvocation;
+  clear(command);
+  if (warp_ == Warp::rectilinear) {
+    dispatch(command, pipelines_.importance, samples);
+    dispatch(command, pipelines_.functions[0], 1);
+    dispatch(command, pipelines_.functions[1], 1);
+  } else {
+    // Rows, then columns with the rows' warp applied.
+    for (const int down : {0, 1}) {
+      if (down) clear(command);
+      dispatch(command, pipelines_.count[down], samples);
+      dispatch(command, pipelines_.pool[down], down ? map_.y : map_.x);
+      dispatch(command, pipelines_.functions[down], down ? map_.x : map_.y);
+    }
+    dispatch(command, pipelines_.bounds, map_.x + 1);
+  }
+  dispatch(command, pipelines_.centres, map_.x);
+}
+
+}  // namespace sundial

@@ -1,0 +1,38 @@
+// The tables of a warp (shaders/warp.glsl), and how they are made from the view samples.
+#pragma once
+
+#include "gpu/resource.h"
+#include "shadow/frame_pipelines.h"
+#include "shadow/method.h"
+#include "shared/frame.h"
+
+namespace sundial {
+
+// How many entries a warp of maps of this size takes: floats of its tables, and integers of importance.
+struct WarpSizes {
+  std::uint64_t tables, importance;
+};
+WarpSizes warpSizesOf(Warp, const glm::uvec2& map);
+
+class WarpMaps {
+ public:
+  WarpMaps(const Device&, FramePipelines&, const Method&, const shared::FrameConstants&);
+
+  void bindTo(BindingSet&) const;
+  // After the plan; bindings are bound. Buffers' contents are visible to shaders then.
+  void record(VkCommandBuffer) const;
+  const Buffer& tables() const { return tables_; }
+  std::uint64_t bytes() const { return tables_.size() + importance_.size(); }
+
+ private:
+  void clear(VkCommandBuffer) const;
+  void dispatch(VkCommandBuffer, VkPipeline, std::uint64_t invocations) const;
+
+  Warp warp_;
+  glm::uvec2 map_;
+  std::uint64_t pixels_;
+  WarpPipelines pipelines_;
+  Buffer tables_, importance_;
+};
+
+}  // namespace sundial

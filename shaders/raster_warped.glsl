@@ -1,0 +1,124 @@
+// Triangles in a warped map: each texel's centre goes back through the warp's inverse and is tested there, where edges are
+// straight. No vertex is moved, so no edge is bent.
+//
+// Edges are those of homogeneous coordinates [Olano and Greer 1997]: no clipping, whatever lies behind the light.
+#ifndef SUNDIAL_RASTER_WARPED_GLSL
+#define SUNDIAL_RASTER_WARPED_GLSL
+#include "material.glsl"
+#include "raster.glsl"
+#include "warp.glsl"
+
+// What becomes of a covered texel: keep_depth.glsl.
+void keep(uint index, float depth, uint id);
+
+// A listed triangle has an entry for each so many of its columns, next to its view's number.
+const uint kColumnsPerEntry = 8, kEntriesPerGroup = 8, kViewBits = 8;
+const float kRounding = 1e-2;  // texels
+
+struct WarpedTriangle {
+  bool drawn;      // false: it covers nothing
+  ivec2 columns;   // of the warped map, first and last
+  vec2 rows;       // the triangle's range before the warp, texels
+  vec2 reference;  // texels before the warp: edges are counted from here
+  mat3 edges;      // columns: (a, b, c) with a x + b y + c >= 0 inside
+  vec3 slack;      // a thousandth of a texel, so that neighbours leave no gap
+  vec3 depths;     // (a, b, c) of the depth
+  vec2 depthRange;
+  mat3 attributes;  // weights of the corners' attributes; of masked triangles
+};
+
+// The columns of the warped map that a box of the map may reach into: between the least value that any of its rows'
+// functions has at its left side and the greatest at its right. README.md derives it.
+ivec2 warpedColumns(vec2 low, vec2 high) {
+  const uint last = warpSize().x, count = functions(false);
+  const uint from = uint(clamp(low.y - 0.5, 0, float(count - 1))), to = min(uint(max(high.y - 0.5, 0)) + 1, count - 1);
+  vec2 range = vec2(1e30, -1e30);
+  if (to - from < (1u << kFirstLevel)) {
+    for (uint f = from; f <= to; ++f) {
+      const uint table = functionAt(f, false);
+      range = vec2(min(range.x, valueAt(table, low.x, last)), max(range.y, valueAt(table, high.x, last)));
+    }
+  } else {
+    // At most two groups of the first level that is as wide as the range.
+    uint level = kFirstLevel;
+    while ((1u << level) < to - from + 1) ++level;
+    for (uint group = from >> level; group <= to >> level; ++group)
+      range = vec2(min(range.x, valueAt(boundAt(level, group, false), low.x, last)),
+                   max(range.y, valueAt(boundAt(level, group, true), high.x, last)));
+  }
+  return ivec2(max(ceil(range.x - 0.5 - kRounding), 0), min(floor(range.y - 0.5 + kRounding), float(last - 1)));
+}
+
+// And the rows of one of these columns: its middle has one function.
+ivec2 warpedRows(uint column, vec2 range) {
+  const uint last = warpSize().y, table = between(float(column) + 0.5, true).first;
+  return ivec2(max(ceil(valueAt(table, range.x, last) - 0.5 - kRounding), 0),
+               min(floor(valueAt(table, range.y, last) - 0.5 + kRounding), float(last - 1)));
+}
+
+WarpedTriangle warpedTriangle(Corner corners[3]) {
+  WarpedTriangle t;
+  t.drawn = false;
+  // Beyond one side of the map, or behind a spot light.
+  bvec4 beyond = bvec4(true);
+  bool allBehind = true;
+  for (int i = 0; i < 3; ++i) {
+    const vec4 clip = corners[i].clip;
+    beyond = bvec4(beyond.x && clip.x > clip.w, beyond.y && clip.x < -clip.w, beyond.z && clip.y > clip.w,
+                   beyond.w && clip.y < -clip.w);
+    allBehind = allBehind && clip.w <= 0;
+  }
+  if (any(beyond) || allBehind) return t;
+
+  const vec2 size = vec2(warpSize());
+  vec3 at[3];  // texels times w, and w
+  vec2 low = size, high = vec2(0);
+  t.depthRange = vec2(1, 0);
+  bool behind = false;
+  for (int i = 0; i < 3; ++i) {
+    const vec4 clip = corners[i].clip;
+    at[i] = vec3(0.5 * (clip.xy + clip.w) * size, clip.w);
+    behind = behind || clip.w <= 0;
+    if (clip.w <= 0) continue;
+    low = min(low, at[i].xy / clip.w);
+    high = max(high, at[i].xy / clip.w);
+    t.depthRange = vec2(min(t.depthRange.x, clip.z / clip.w), max(t.depthRange.y, clip.z / clip.w));
+  }
+  if (behind) {
+    low = vec2(0);
+    high = size;
+    t.depthRange = vec2(0, 1);
+  }
+  if (any(greaterThan(low, size)) || any(lessThan(high, vec2(0)))) return t;
+  low = clamp(low, vec2(0), size);
+  high = clamp(high, vec2(0), size);
+  t.columns = warpedColumns(low, high);
+  t.rows = vec2(low.y, high.y);
+  if (t.columns.x > t.columns.y) return t;
+
+  t.reference = low;
+  for (int i = 0; i < 3; ++i) at[i].xy -= low * at[i].z;
+  mat3 weights = mat3(cross(at[1], at[2]), cross(at[2], at[0]), cross(at[0], at[1]));
+  const float volume = dot(at[0], weights[0]);
+  if (volume == 0) return t;
+  t.edges = volume > 0 ? weights : -weights;
+  for (int i = 0; i < 3; ++i) t.slack[i] = 1e-3 * (abs(t.edges[i].x) + abs(t.edges[i].y));
+  t.attributes = weights * (1 / volume);
+  t.depths = t.attributes * vec3(corners[0].clip.z, corners[1].clip.z, corners[2].clip.z);
+  t.drawn = true;
+  return t;
+}
+
+void keepIfCovered(uint view, uint id, WarpedTriangle t, Corner corners[3], uint material, uvec2 texel) {
+  const vec3 p = vec3(centreOrigin(texel) - t.reference, 1);
+  if (any(lessThan(p * t.edges + t.slack, vec3(0)))) return;
+  if (kMasked) {
+    const vec3 weights = p * t.attributes;
+    const vec3 a = weights.x * corners[0].attributes + weights.y * corners[1].attributes + weights.z * corners[2].attributes;
+    if (isHole(materials[material], a.xy, vec4(1, 1, 1, a.z))) return;
+  }
+  const float depth = clamp(clamp(dot(p, t.depths), t.depthRange.x, t.depthRange.y), 0, 1);
+  keep(plan.views[view].linearOffset + texel.y * warpSize().x + texel.x, depth, id);
+}
+
+#endif

@@ -1,0 +1,40 @@
+#version 460
+#extension GL_GOOGLE_include_directive : require
+// The warp's functions: running sums of importance, over their last value. A share of each is spread evenly, so that the
+// functions rise everywhere and have an inverse.
+#include "warp.glsl"
+
+layout(local_size_x = 64) in;
+layout(constant_id = 0) const bool kDown = false;
+
+// Of the step from a knot to the next, for a function.
+float importanceOf(uint f, uint k) {
+  const uvec2 size = warpSize();
+  if (kWarp == kWarpNonOrthogonal)
+    return float(importance[size.x * size.y + (kDown ? k * size.x + f : f * size.x + k)]);
+  // The most of a column or row, smoothed over its neighbours [Rosen 2012].
+  const uint first = kDown ? size.x : 0, length_ = kDown ? size.y : size.x, reach = frame.settings.warpWindow / 2;
+  float sum = 0, weights = 0;
+  for (uint i = k - min(k, reach); i <= min(k + reach, length_ - 1); ++i) {
+    const float weight = float(reach + 1) - abs(float(i) - float(k));
+    sum += weight * uintBitsToFloat(importance[first + i]);
+    weights += weight;
+  }
+  return sum / weights;
+}
+
+void main() {
+  const uint f = gl_GlobalInvocationID.x;
+  if (f >= functions(kDown)) return;
+  const uint last = knots(kDown) - 1, table = functionAt(f, kDown);
+  float sum = 0;
+  warps[table] = 0;
+  for (uint k = 0; k < last; ++k) {
+    sum += importanceOf(f, k);
+    warps[table + k + 1] = sum;
+  }
+  const float even = sum > 0 ? frame.settings.warpEvenShare : 1;
+  const float scale = sum > 0 ? (1 - even) * float(last) / sum : 0;
+  for (uint k = 1; k < last; ++k) warps[table + k] = scale * warps[table + k] + even * float(k);
+  warps[table + last] = float(last);
+}

@@ -192,24 +192,25 @@ TEST_F(CommandTest, ExrHoldsEveryChannel) {
   const OIIO::ImageSpec& spec = input->spec();
   std::vector<std::string> names = spec.channelnames;
   std::ranges::sort(names);
-  EXPECT_EQ(names, (std::vector<std::string>{"A", "B", "G", "R", "id.instance", "id.triangle", "normal.X",
-                                             "normal.Y", "normal.Z", "position.X", "position.Y", "position.Z",
-                                             "reference.V", "view.I", "visibility.V"}));
-  std::vector<std::uint32_t> pixels(64u * 48 * 15);
-  ASSERT_TRUE(input->read_image(0, 0, 0, 15, OIIO::TypeUnknown, pixels.data()));
+  EXPECT_EQ(names, (std::vector<std::string>{"A", "B", "G", "R", "class.I", "id.instance", "id.triangle",
+                                             "normal.X", "normal.Y", "normal.Z", "position.X", "position.Y",
+                                             "position.Z", "reference.V", "view.I", "visibility.V"}));
+  std::vector<std::uint32_t> pixels(64u * 48 * 16);
+  ASSERT_TRUE(input->read_image(0, 0, 0, 16, OIIO::TypeUnknown, pixels.data()));
   // The lowest row's middle sees the plane.
   const auto raw = [&](const char* name) {
     const int channel = spec.channelindex(name);
-    return pixels[(47u * 64 + 32) * 15 + static_cast<unsigned>(channel)];
+    return pixels[(47u * 64 + 32) * 16 + static_cast<unsigned>(channel)];
   };
   const auto number = [&](const char* name) { return std::bit_cast<float>(raw(name)); };
   for (const std::string& name : names)
     EXPECT_EQ(spec.channelformat(spec.channelindex(name)),
-              name.starts_with("id.") || name == "view.I" ? OIIO::TypeUInt32 : OIIO::TypeFloat)
+              name.starts_with("id.") || name.ends_with(".I") ? OIIO::TypeUInt32 : OIIO::TypeFloat)
         << name;
   EXPECT_EQ(raw("id.instance"), 3u);
   EXPECT_EQ(raw("id.triangle"), 16777217u);  // which a float can't hold
   EXPECT_EQ(raw("view.I"), 0u);
+  EXPECT_EQ(raw("class.I"), 0xffffffffu);  // not a lookup of triangles
   EXPECT_EQ(number("A"), 1);
   EXPECT_EQ(number("normal.Y"), 1);
   EXPECT_EQ(number("position.Y"), 0);

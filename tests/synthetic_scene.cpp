@@ -142,6 +142,9 @@ std::string SyntheticScene::image(const v1::MethodChoice& method, v1::Aov aov) c
       case v1::VIEW:
         append<std::uint32_t>(bytes, {s.hit && !isTraced(method) ? viewOf(method, s) : kNone});
         break;
+      case v1::CLASS:
+        append<std::uint32_t>(bytes, {kNone});
+        break;
       default:
         break;
     }

@@ -128,9 +128,9 @@ std::vector<image::OutputFile> comparisonFiles(const std::filesystem::path& fold
       files.push_back({folder / (name + "-views.png"), image::encodePng(tint)});
       views = dataUri("image/jpeg", image::encodeJpeg(tint, kPageJpegQuality));
     }
-    if (const client::Image& classes = *rendering.find(v1::CLASS); image::hasClasses(classes))
+    if (const client::Image* classes = rendering.find(v1::CLASS); classes && image::hasClasses(*classes))
       files.push_back(
-          {folder / (name + "-classes.png"), image::encodePng(image::classTint(colour, classes))});
+          {folder / (name + "-classes.png"), image::encodePng(image::classTint(colour, *classes))});
     if (i == 0) {
       files.push_back({folder / "reference.png", image::encodePng(image::toPicture(reference))});
       page.reference = dataUri("image/png", files.back().bytes);

@@ -108,8 +108,8 @@ void drawPlaced(VkCommandBuffer command, const glm::uvec2& viewport, VkExtent2D 
 
 void bindNoStore(BindingSet& bindings, const GpuImage& unread, VkSampler sampler,
                  const TexelBuffer& unreadToo) {
-  for (const std::uint32_t binding : {shared::kBindStore, shared::kBindMultisampled, shared::kBindMoments,
-                                      shared::kBindBlurred})
+  for (const std::uint32_t binding :
+       {shared::kBindStore, shared::kBindMultisampled, shared::kBindMoments, shared::kBindBlurred})
     bindings.set(binding, unread, sampler);
   for (const std::uint32_t binding :
        {shared::kBindLinear, shared::kBindRaster, shared::kBindListed, shared::kBindParts, shared::kBindBands,

@@ -10,7 +10,8 @@ SUNDIAL_SHARED_BEGIN
 // Corners are kept on a grid that reaches this far beyond the map on each side, in shares of the map.
 SUNDIAL_CONST_FLOAT kCornerMargin = 0.125f;
 SUNDIAL_CONST_FLOAT kCornerSteps = 65535.0f;
-// Code 0 is a texel without a triangle, the last one a triangle before the near plane: nearer than all that asks.
+// Code 0 is a texel without a triangle, the last one a triangle before the near plane: nearer than all that
+// asks.
 SUNDIAL_CONST_FLOAT kDepthSteps = 65533.0f;
 SUNDIAL_CONST kDepthBefore = 65535u;
 SUNDIAL_CONST_FLOAT kBefore = 2.0f;  // its depth

@@ -24,7 +24,7 @@ void main() {
     const vec4 aEnd = volumeEnd(from), bEnd = volumeEnd(to);
     if (corner < 3) at = which == 0 ? a : which == 1 ? aEnd : bEnd;
     else if (corner < 6) at = which == 0 ? a : which == 1 ? bEnd : b;
-    else at = which == 0 ? vec4(frame.wsLightDirection, 0) : which == 1 ? bEnd : aEnd;
+    else at = which == 0 ? vec4(frame.lightKind == kLightSpot ? frame.wsLightDirection : vec3(0, -1, 0), 0) : which == 1 ? bEnd : aEnd;
   }
   gl_Position = frame.clipFromWorld * at;
 

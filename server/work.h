@@ -8,7 +8,7 @@ namespace sundial {
 // Pipeline statistics; they repeat exactly.
 struct Work {
   std::string name;  // "vertices", "primitives", "fragments", "invocations", "rays"; "scenes": primitives
-                     // over the scene's
+                     // over the scene's; "by_compute": 1 where the compute rasteriser drew
   double count = 0;
 };
 

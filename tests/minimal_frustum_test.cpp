@@ -90,6 +90,18 @@ TEST(SmallestRectangle, IsTheBestOfAllAngles) {
   }
 }
 
+TEST(SmallestRectangle, CornersThatAllButCoincideDontMislead) {
+  builtin::Random random(7);
+  for (std::size_t count = 3; count < 60; ++count) {
+    std::vector<dvec2> points = randomPoints(count, 2000 + count);
+    for (std::size_t i = 0; i < count; ++i)
+      for (int again = 0; again < 4; ++again)
+        points.push_back(points[i] + 1e-13 * dvec2(random.range(-1, 1), random.range(-1, 1)));
+    const Rectangle r = smallestRectangle(convexHull(points));
+    EXPECT_NEAR(r.area(), bruteForce(points), 0.002 * r.area()) << count;
+  }
+}
+
 TEST(SmallestRectangle, OfASquareATurnedSquareAndNoArea) {
   EXPECT_NEAR(smallestRectangle(std::vector<dvec2>{{0, 0}, {2, 0}, {2, 2}, {0, 2}}).area(), 4, 1e-12);
   EXPECT_NEAR(smallestRectangle(std::vector<dvec2>{{1, 0}, {2, 1}, {1, 2}, {0, 1}}).area(), 2, 1e-12);
@@ -147,6 +159,15 @@ TEST_F(FrameMinimal, HoldsAllThatIsSeenInLessThanTheScene) {
         EXPECT_LE(r.result.measures->interiorError, whole.result.measures->interiorError + 0.002);
       }
     }
+}
+
+TEST_F(FrameMinimal, AViewIntoTheCourtLosesNothing) {
+  const auto scene = builtin("atrium");
+  for (double x = -2; x <= 2; x += 0.5) {
+    const View view{.eye = {2, 3, -1.2}, .target = {x, 3, -4.1}, .verticalFovDegrees = 60};
+    const Rendering r = render(scene, view, lightOf(*scene, "sun"), {160, 120}, "msf,texels=512");
+    EXPECT_LT(r.result.measures->interiorError, 0.003) << x;
+  }
 }
 
 TEST_F(FrameMinimal, ALightAlongTheViewAndNothingInView) {

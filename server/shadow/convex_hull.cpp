@@ -19,6 +19,22 @@ void extend(std::vector<dvec2>& chain, std::size_t first, const dvec2& p) {
   chain.push_back(p);
 }
 
+// Without corners that all but coincide with the one before: the directions of what lies between them are
+// rounding.
+std::vector<dvec2> withoutShortSides(std::span<const dvec2> hull) {
+  dvec2 low = hull[0], high = hull[0];
+  for (const dvec2& p : hull) {
+    low = glm::min(low, p);
+    high = glm::max(high, p);
+  }
+  const double least = 1e-9 * glm::length(high - low);
+  std::vector<dvec2> kept;
+  for (const dvec2& p : hull)
+    if (kept.empty() || (glm::distance(p, kept.back()) > least && glm::distance(p, kept.front()) > least))
+      kept.push_back(p);
+  return kept;
+}
+
 }  // namespace
 
 std::vector<dvec2> convexHull(std::span<const dvec2> points) {
@@ -37,9 +53,10 @@ std::vector<dvec2> convexHull(std::span<const dvec2> points) {
   return hull;
 }
 
-Rectangle smallestRectangle(std::span<const dvec2> hull) {
+Rectangle smallestRectangle(std::span<const dvec2> corners) {
+  if (corners.empty()) return {};
+  const std::vector<dvec2> hull = withoutShortSides(corners);
   const std::size_t n = hull.size();
-  if (n == 0) return {};
   if (n == 1) return {{1, 0}, hull[0], hull[0]};
 
   Rectangle best;
@@ -63,6 +80,12 @@ Rectangle smallestRectangle(std::span<const dvec2> hull) {
                            {glm::dot(hull[left], u), glm::dot(hull[i], v)},
                            {glm::dot(hull[right], u), glm::dot(hull[top], v)}};
     if (best.empty() || around.area() < best.area()) best = around;
+  }
+  // All corners, those left out too.
+  for (const dvec2& p : corners) {
+    const dvec2 at(glm::dot(p, best.axis), glm::dot(p, turned(best.axis)));
+    best.low = glm::min(best.low, at);
+    best.high = glm::max(best.high, at);
   }
   return best;
 }

@@ -18,8 +18,8 @@ struct Rectangle {
   double area() const { return (high.x - low.x) * (high.y - low.y); }
 };
 
-// Of least area around a hull as convexHull() gives it; one of its sides lies on one of the hull's. Four
-// calipers turn around the hull once [Toussaint 1983].
-Rectangle smallestRectangle(std::span<const glm::dvec2> hull);
+// Of least area around the corners of a hull as convexHull() gives them; one of its sides lies on one of the
+// hull's. Four calipers turn around the hull once [Toussaint 1983].
+Rectangle smallestRectangle(std::span<const glm::dvec2> corners);
 
 }  // namespace sundial

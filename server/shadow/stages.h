@@ -13,7 +13,7 @@ namespace sundial {
 enum class Volume { scene, frustum, samples, inscribed };  // which part of light space matters
 // How it is cut up: not at all, along the camera's depth by one of six rules, or into tiles of light space.
 enum class Partition { single, manual, uniform, log, practical, adaptive, kmeans, tiles };
-enum class Warp { none, rectilinear, nonOrthogonal };                                             // how each part is re-parameterised
+enum class Warp { none, rectilinear, nonOrthogonal };                 // how each part is re-parameterised
 enum class Focus { loose, depth, aabb, aligned, snapped, calipers };  // how tight each part's frustum is
 enum class Resolution { fixed, ranked, listed, estimated };           // how many texels each part gets
 // What a texel holds, and where; depthId: which triangle's depth it is, too.

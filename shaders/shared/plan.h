@@ -66,11 +66,11 @@ struct PlanSettings {
   float importanceRange;  // k, metres; 0: a quarter of the square's side
   float importanceUnit;   // integers a unit of importance
   // volume=inscribed: the square about the camera, in light space after division.
-  vec2 lsSquareEye;          // where the camera stands
-  vec2 squareBehind;         // how far the square reaches from there towards smaller coordinates,
-  vec2 squareBefore;         // and towards greater ones, in shares of its side
-  float lsSquareSide;        // 0: the smallest that holds all view samples,
-  float lsSquareSideAtMost;  // but no more than this
+  vec2 lsSquareEye;                  // where the camera stands
+  vec2 squareBehind;                 // how far the square reaches from there towards smaller coordinates,
+  vec2 squareBefore;                 // and towards greater ones, in shares of its side
+  float lsSquareSide;                // 0: the smallest that holds all view samples,
+  float lsSquareSideAtMost;          // but no more than this
   uint tileTexels[kMaxShadowViews];  // a side, of view v
   // How far beyond its own samples or part of the scene a view is drawn at least, light space after division:
   // to this depth, and by this much to each side.
@@ -81,8 +81,8 @@ struct PlanSettings {
   // picture that a view's map is drawn as a part of, texels.
   float smallerShare;
   uvec2 viewport;
-  // The warp: over how many texels importance is smoothed, or how many rows share a function; how much of a function
-  // is spread evenly; and what counts how much for a rectilinear one: nearness, facing, edges.
+  // The warp: over how many texels importance is smoothed, or how many rows share a function; how much of a
+  // function is spread evenly; and what counts how much for a rectilinear one: nearness, facing, edges.
   uint warpWindow;
   float warpEvenShare;
   vec3 warpWeights;

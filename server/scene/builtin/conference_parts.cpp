@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <vector>
 
 namespace sundial::builtin {
@@ -88,7 +89,7 @@ LongTable longTable(double length, double width, double height) {
   }
   made.top.surface(96, 3, [&](double u, double v) {
     constexpr std::array<dvec2, 4> kEdge{{{-0.03, -kThick}, {0, -0.03}, {0, -0.008}, {-0.008, 0}}};
-    const dvec2 p = kEdge[static_cast<std::size_t>(v * 3 + 0.5)];
+    const dvec2 p = kEdge[static_cast<std::size_t>(std::lround(v * 3))];
     const double turn = u < 1 ? u : 0;
     const dvec3 outside = rim(turn);
     const dvec3 outwards(sinTurns(turn), 0, cosTurns(turn));
@@ -182,7 +183,7 @@ Shape microphone() {
   std::vector<dvec3> neck;
   for (int i = 0; i <= 12; ++i) {
     const double t = i / 12.0;
-    neck.push_back({0, 0.02 + 0.32 * t - 0.08 * t * t, 0.2 * t * t});
+    neck.emplace_back(0, 0.02 + 0.32 * t - 0.08 * t * t, 0.2 * t * t);
   }
   addTube(shape, neck, 0.005, 6);
   addTube(shape, {neck.back(), neck.back() + dvec3(0, 0.01, 0.05)}, 0.012, 8);
@@ -207,7 +208,7 @@ Coffer coffer(double side) {
     length.quad({-half, 0, -half}, {half, 0, -half}, {half - 0.04, 0, -half + 0.04},
                 {-half + 0.04, 0, -half + 0.04});
     length.surface(1, kProfile.size() - 1, [&](double u, double v) {
-      const dvec2 p = kProfile[static_cast<std::size_t>(v * (kProfile.size() - 1) + 0.5)];
+      const dvec2 p = kProfile[static_cast<std::size_t>(std::lround(v * (kProfile.size() - 1)))];
       return dvec3((2 * u - 1) * (half - p.x), p.y, -half + p.x);
     });
     made.frame.append(length, turnedY(i / 4.0));
@@ -221,7 +222,7 @@ Coffer coffer(double side) {
   std::vector<dvec3> ring;
   for (int i = 0; i <= 24; ++i) {
     const double turn = i < 24 ? i / 24.0 : 0;
-    ring.push_back({0.27 * sinTurns(turn), 0.16, 0.27 * cosTurns(turn)});
+    ring.emplace_back(0.27 * sinTurns(turn), 0.16, 0.27 * cosTurns(turn));
   }
   addTube(made.lamp, ring, 0.015, 6);
   return made;

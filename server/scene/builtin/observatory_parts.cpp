@@ -88,7 +88,7 @@ Shape domeRibs(const DomeSize& dome) {
       const double inPlane = std::sqrt(dome.radius * dome.radius - z * z) + (offset > 0 ? 0.1 : 0.0);
       for (int j = 0; j <= 40; ++j) {
         const double elevation = 0.26 * j / 40;
-        points.push_back({inPlane * cosTurns(elevation), inPlane * sinTurns(elevation), z});
+        points.emplace_back(inPlane * cosTurns(elevation), inPlane * sinTurns(elevation), z);
       }
       addTube(shape, points, offset > 0 ? 0.05 : 0.09, 6);
     }
@@ -130,7 +130,7 @@ Shape windingStairs(double height, int steps) {
     constexpr std::array<double, 2> kThin{0.014, 0.014};
     tread.tube(post, kThin, 4);
     shape.append(tread, translation({0, y, 0}) * turnedY(turn));
-    handrail.push_back({sinTurns(turn), y + 0.95, cosTurns(turn)});
+    handrail.emplace_back(sinTurns(turn), y + 0.95, cosTurns(turn));
   }
   addTube(shape, handrail, 0.025, 6);
   return shape;

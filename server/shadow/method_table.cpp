@@ -64,7 +64,7 @@ std::span<const MethodRow> methodTable() {
                 Stages{Volume::frustum, Partition::practical, Warp::none, Focus::loose, Resolution::fixed,
                        Storage::depth, Lookup::hard},
                 "[Zhang et al. 2006]",
-                {{"texels", "1024"}}},
+                {{"texels", "1024"}, {"choose", "depth"}}},
       MethodRow{"sdsm-log",
                 "Sample distribution: logarithmic cuts between the samples' nearest and farthest",
                 Technique::shadowMap,

@@ -134,6 +134,7 @@ TEST_F(StabilityServiceTest, StopsBetweenFramesAtItsDeadline) {
   v1::StabilityEvent event;
   while (reader->Read(&event)) continue;
   EXPECT_EQ(reader->Finish().error_code(), grpc::StatusCode::DEADLINE_EXCEEDED);
+  records.await("Stability", 1);
   renderer->gate.open();
   EXPECT_TRUE(ask(*stub, stabilityRequest()).status.ok());
   EXPECT_EQ(renderer->jobsDone, 1u);

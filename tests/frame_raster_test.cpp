@@ -3,6 +3,7 @@
 
 #include "shadow/camera.h"
 #include "shadow/frame_runner.h"
+#include "support/device_test.h"
 #include "support/rendering.h"
 
 namespace sundial::test {
@@ -51,21 +52,12 @@ class FrameRaster : public RendererTest {};
 struct Case {
   const char *scene, *view, *light;
 };
-class CoverageOfThePipeline : public ::testing::TestWithParam<Case> {
+class CoverageOfThePipeline : public DeviceTest<::testing::TestWithParam<Case>> {
  protected:
-  static const Device& device() {
-    static const std::unique_ptr<Device> instance = [] {
-      auto made = Device::create("", true);
-      if (!made) throw std::runtime_error(made.error().message);
-      return std::move(*made);
-    }();
-    return *instance;
-  }
   static FramePipelines& pipelines() {
     static FramePipelines instance(device());
     return instance;
   }
-  void TearDown() override { EXPECT_EQ(device().validationMessages(), 0u); }
 };
 
 TEST_P(CoverageOfThePipeline, TexelForTexel) {

@@ -5,6 +5,7 @@
 #include "shadow/camera.h"
 #include "shadow/frame_runner.h"
 #include "shadow/shadow_volumes.h"
+#include "support/device_test.h"
 #include "support/rendering.h"
 
 namespace sundial::test {
@@ -13,18 +14,8 @@ namespace {
 using Clock = std::chrono::steady_clock;
 
 // Passes on a device of their own, one frame of a method among them.
-class Interrupted : public ::testing::Test {
+class Interrupted : public DeviceTest<> {
  protected:
-  static Device& device() {
-    static const std::unique_ptr<Device> instance = [] {
-      auto made = Device::create("", true);
-      if (!made) throw std::runtime_error(made.error().message);
-      return std::move(*made);
-    }();
-    return *instance;
-  }
-  void TearDown() override { EXPECT_EQ(device().validationMessages(), 0u); }
-
   std::vector<std::string> began;
 
   Pass onHost(std::string_view name, const std::function<void()>& work = {}) {

@@ -3,6 +3,7 @@
 
 #include <random>
 
+#include "support/device_test.h"
 #include "support/raster_stage.h"
 
 namespace sundial::test {
@@ -95,21 +96,12 @@ class Triangles {
   glm::uvec2 map_;
 };
 
-class RasteriserTest : public ::testing::Test {
+class RasteriserTest : public DeviceTest<> {
  protected:
-  static const Device& device() {
-    static const std::unique_ptr<Device> instance = [] {
-      auto made = Device::create("", true);
-      if (!made) throw std::runtime_error(made.error().message);
-      return std::move(*made);
-    }();
-    return *instance;
-  }
   static RasterStage& stage() {
     static RasterStage instance(device());
     return instance;
   }
-  void TearDown() override { EXPECT_EQ(device().validationMessages(), 0u); }
 
   // Texels of all maps whose sum over all triangles isn't the exact one.
   static std::size_t wrongTexels(const Soup& soup, Projection projection, const std::vector<MapRect>& maps,

@@ -2,13 +2,15 @@
 //
 // Vertices are rounded to 1/256 texel. From there on coverage is exact, in integers: a texel is covered if its centre
 // lies inside all three edges, or on one that is a left or a top edge; conservatively, if its square touches the
-// triangle, which is asked of maps without a warp alone. server/shadow/README.md says which numbers fit into 32 bits,
-// and why.
+// triangle. server/shadow/README.md says which numbers fit into 32 bits, and why. Maps with a warp have
+// raster_warped.glsl.
 #ifndef SUNDIAL_RASTER_GLSL
 #define SUNDIAL_RASTER_GLSL
-#include "raster_map.glsl"
+#include "bindings.glsl"
+#include "fused.glsl"
 #include "raster_state.glsl"
 #include "raster_triangle_id.glsl"
+#include "shared/raster.h"
 
 layout(constant_id = 0) const uint kCoverage = kCoverCentre;
 layout(constant_id = 1) const bool kMasked = false;
@@ -24,7 +26,7 @@ struct Corner {
 // The same on the view's grid.
 struct Placed {
   ivec2 grid;  // 1/256 texels from the centre of the map's first texel
-  vec2 at;     // texels, before rounding
+  vec2 at;     // texels of the image from its corner, before rounding
   float depth;
   vec4 attributes;  // over w, with 1 behind them
 };
@@ -47,15 +49,15 @@ uint materialOf(uint id) { return kMasked ? clusters[drawAt(id / kMaxClusterTria
 
 // The pipeline's arithmetic, step by step, so that both round to the same place on the grid.
 Placed placedIn(uint view, Corner corner) {
-  const uvec2 offset = isWarped() ? uvec2(0) : plan.views[view].rectOffset, size = linearSize(view);
+  const uvec2 offset = plan.views[view].rectOffset, size = plan.views[view].rectSize;
   precise const float perW = 1 / corner.clip.w;
   precise const vec2 half_ = 0.5 * vec2(size);
   precise const vec2 window = corner.clip.xy * perW * half_ + (vec2(offset) + half_);
   // Where a triangle's plane passes the light, clipping leaves corners that rounding carries far outside.
-  precise const vec2 fromCentre = clamp(window, vec2(offset) - 0.5, vec2(offset + size) + 0.5) - 0.5;
   Placed p;
+  p.at = clamp(window, vec2(offset) - 0.5, vec2(offset + size) + 0.5);
+  precise const vec2 fromCentre = p.at - 0.5;
   p.grid = ivec2(roundEven(fromCentre * kSubTexels)) - ivec2(offset * kSubTexels);
-  p.at = fromCentre - vec2(offset);
   p.depth = corner.clip.z * perW;
   p.attributes = vec4(corner.attributes, 1) * perW;
   return p;
@@ -65,8 +67,7 @@ Placed placedIn(uint view, Corner corner) {
 ivec4 texelBox(uint view, Placed p[3]) {
   const ivec2 low = min(min(p[0].grid, p[1].grid), p[2].grid), high = max(max(p[0].grid, p[1].grid), p[2].grid);
   const int reach = kCoverage == kCoverConservative ? int(kSubTexels) / 2 : 0;
-  ivec4 box = ivec4((low - reach + int(kSubTexels) - 1) >> 8, (high + reach) >> 8);
-  if (isWarped()) box = warpedBox(view, ivec4(low, high));
+  const ivec4 box = ivec4((low - reach + int(kSubTexels) - 1) >> 8, (high + reach) >> 8);
   return ivec4(max(box.xy, ivec2(0)), min(box.zw, ivec2(plan.views[view].rectSize) - 1));
 }
 
@@ -76,40 +77,40 @@ bool isEmpty(ivec4 box) { return box.x > box.z || box.y > box.w; }
 bool isSmall(Placed p[3], ivec4 box) {
   const ivec2 texels = box.zw - box.xy + 1;
   const vec2 b = p[1].at - p[0].at, c = p[2].at - p[0].at;
-  if (!isWarped())
-    return all(lessThanEqual(texels, ivec2(kSmallSide))) && abs(b.x * c.y - b.y * c.x) <= 2.0 * kSmallTexels;
-  // Every texel of the box is looked at.
-  const vec2 reach = max(abs(b), abs(c));
-  return all(lessThan(reach, vec2(kSmallSide / 2))) && all(lessThanEqual(texels, ivec2(kSmallTexels))) &&
-         texels.x * texels.y <= int(kSmallTexels);
+  return all(lessThanEqual(texels, ivec2(kSmallSide))) && abs(b.x * c.y - b.y * c.x) <= 2.0 * kSmallTexels;
 }
 
-// What varies over a triangle as a plane does.
+// What varies over a triangle as a plane does: the value at the centre of the image's first texel, and what each texel to
+// the right and down adds. As the pipeline has it, step by step: where alpha is next to its cutoff, or a triangle next to
+// edge-on, the last bit decides.
 struct Varying {
-  vec2 from;  // texels of the view without a warp, from the centre of the first: where it has these values
-  float depth;
-  vec2 depthSlope;
+  vec3 depth;
   vec2 depthRange;
-  vec4 attributes, attributesRight, attributesDown;
+  vec4 attributes[3];
 };
 
-Varying varyingOver(Placed p[3], ivec2 from) {
-  const vec2 b = p[1].at - p[0].at, c = p[2].at - p[0].at, to = vec2(from) - p[0].at;
-  const float area = b.x * c.y - b.y * c.x;
-  const float perArea = area != 0 ? 1 / area : 0.0;
-  const vec2 depths = vec2(p[1].depth, p[2].depth) - p[0].depth;
+Varying varyingOver(Placed p[3]) {
+  precise const vec2 d01 = p[0].at - p[1].at, d20 = p[2].at - p[0].at;
+  precise const float area = d01.x * d20.y - d01.y * d20.x;
+  precise const float perArea = area != 0 ? 1 / area : 0.0;
+  precise const vec2 a01 = d01 * perArea, a20 = d20 * perArea, from = p[0].at - 0.5;
   Varying v;
-  v.from = vec2(from);
-  v.depthSlope = vec2(depths.x * c.y - depths.y * b.y, depths.y * b.x - depths.x * c.x) * perArea;
-  v.depth = p[0].depth + dot(v.depthSlope, to);
+  {
+    precise const float z01 = p[0].depth - p[1].depth, z20 = p[2].depth - p[0].depth;
+    precise const float right = z01 * a20.y - z20 * a01.y, down = z20 * a01.x - z01 * a20.x;
+    precise const float before = right * from.x + down * from.y;
+    precise const float first = p[0].depth - before;
+    v.depth = vec3(first, right, down);
+  }
   // Casters before the near plane are kept, at 1.
   v.depthRange =
       clamp(vec2(min(min(p[0].depth, p[1].depth), p[2].depth), max(max(p[0].depth, p[1].depth), p[2].depth)), 0, 1);
   if (kMasked) {
-    const vec4 db = p[1].attributes - p[0].attributes, dc = p[2].attributes - p[0].attributes;
-    v.attributesRight = (db * c.y - dc * b.y) * perArea;
-    v.attributesDown = (dc * b.x - db * c.x) * perArea;
-    v.attributes = p[0].attributes + v.attributesRight * to.x + v.attributesDown * to.y;
+    precise const vec4 t01 = p[0].attributes - p[1].attributes, t20 = p[2].attributes - p[0].attributes;
+    precise const vec4 right = t01 * a20.y - t20 * a01.y, down = t20 * a01.x - t01 * a20.x;
+    precise const vec4 before = right * from.x + down * from.y;
+    precise const vec4 first = p[0].attributes - before;
+    v.attributes = vec4[3](first, right, down);
   }
   return v;
 }

@@ -34,31 +34,18 @@ void main() {
   const RasterPart part = parts[kKind * push.partRoom + band.part];
   const ivec2 grid[3] = {ivec2(part.x[0], part.y[0]), ivec2(part.x[1], part.y[1]), ivec2(part.x[2], part.y[2])};
   Varying v;
-  v.from = part.from;
-  v.depth = part.depth.x;
-  v.depthSlope = part.depth.yz;
+  v.depth = part.depth;
   v.depthRange = part.depthRange;
-  if (kMasked) {
-    v.attributes = part.attributes[0];
-    v.attributesRight = part.attributes[1];
-    v.attributesDown = part.attributes[2];
-  }
+  if (kMasked) v.attributes = part.attributes;
   const uint material = materialOf(part.id);
 
   const int y = part.box[1] + int(band.band * kBandRows + gl_LocalInvocationID.x);
   const int end = y <= part.box[3] ? part.box[2] + 1 : 0;
-  if (isWarped()) {
-    for (int x = part.box[0]; x < end; ++x) {
-      const ivec2 place = linearOf(part.view, ivec2(x, y));
-      if (all(greaterThanEqual(sidesFar(grid, place), ivec3(0))))
-        fillTexel(part.id, indexOf(part.view, ivec2(x, y)), vec2(place) / kSubTexels, v, material);
-    }
-    return;
-  }
+  const ivec2 offset = ivec2(plan.views[part.view].rectOffset);
   for (int x = part.box[0]; x < end; x += int(kSegmentTexels)) {
     const Edges e = edgesFrom(grid, sidesFar(grid, ivec2(x, y) * int(kSubTexels)));
     const ivec2 span = spanOf(e, min(end - x, int(kSegmentTexels)));
     const uint index = indexOf(part.view, ivec2(x, y));
-    for (int i = span.x; i < span.y; ++i) fillTexel(part.id, index + uint(i), vec2(x + i, y), v, material);
+    for (int i = span.x; i < span.y; ++i) fillTexel(part.id, index + uint(i), vec2(offset + ivec2(x + i, y)), v, material);
   }
 }

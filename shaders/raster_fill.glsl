@@ -7,16 +7,18 @@
 // What becomes of a covered texel: a shader that includes this defines it. `index` counts the store's texels.
 void keep(uint index, float depth, uint id);
 
-// `place` is counted as Varying's `from` is.
-void fillTexel(uint id, uint index, vec2 place, Varying v, uint material) {
-  const vec2 to = place - v.from;
+// `texel` is counted in the image.
+void fillTexel(uint id, uint index, vec2 texel, Varying v, uint material) {
   if (kMasked) {
-    const vec4 a = v.attributes + v.attributesRight * to.x + v.attributesDown * to.y;
-    if (isHole(materials[material], a.xy / a.w, vec4(1, 1, 1, a.z / a.w))) return;
+    const vec4 a = fused(v.attributes[2], texel.y, fused(v.attributes[1], texel.x, v.attributes[0]));
+    precise const float w = 1 / a.w;
+    if (isHole(materials[material], a.xy * w, vec4(1, 1, 1, a.z * w))) return;
   }
-  float depth = v.depth + dot(v.depthSlope, to);
-  if (kCoverage == kCoverConservative) depth += 0.5 * (abs(v.depthSlope.x) + abs(v.depthSlope.y));
-  keep(index, clamp(depth, v.depthRange.x, v.depthRange.y), id);
+  float depth = fused(vec4(v.depth.z), texel.y, fused(vec4(v.depth.y), texel.x, vec4(v.depth.x))).x;
+  if (kCoverage == kCoverConservative) depth += 0.5 * (abs(v.depth.y) + abs(v.depth.z));
+  // Of what a plane has beyond its triangle, the pipeline clips what lies before the near plane alone.
+  const vec2 range = kCoverage == kCoverConservative ? v.depthRange : vec2(0, 1);
+  keep(index, clamp(depth, range.x, range.y), id);
 }
 
 uint indexOf(uint view, ivec2 texel) {
@@ -51,6 +53,7 @@ void fillSmall(uint view, uint id, Edges e, Varying v, ivec4 box, uint material)
   const bvec3 opens = greaterThan(e.right, ivec3(0)), closes = lessThan(e.right, ivec3(0));
 
   const uint pitch = plan.views[view].rectSize.x;
+  const ivec2 offset = ivec2(plan.views[view].rectOffset);
   uint row = indexOf(view, box.xy) - pitch;
   int x = 0, end = 0, y = box.y - 1;
   for (;;) {
@@ -71,32 +74,16 @@ void fillSmall(uint view, uint id, Edges e, Varying v, ivec4 box, uint material)
     }
     if (y > box.w) break;
     if (x < end) {
-      fillTexel(id, row + uint(x), vec2(box.x + x, y), v, material);
+      fillTexel(id, row + uint(x), vec2(offset + ivec2(box.x + x, y)), v, material);
       ++x;
     }
   }
 }
 
-// The same of a warped map.
-void fillWarped(uint view, uint id, ivec2 p[3], Varying v, ivec4 box, uint material) {
-  const ivec2 low = min(min(p[0], p[1]), p[2]), high = max(max(p[0], p[1]), p[2]);
-  for (int y = box.y; y <= box.w; ++y)
-    for (int x = box.x; x <= box.z; ++x) {
-      const ivec2 place = linearOf(view, ivec2(x, y));
-      if (any(lessThan(place, low)) || any(greaterThan(place, high))) continue;
-      if (all(greaterThanEqual(sidesNear(p, place), ivec3(0))))
-        fillTexel(id, indexOf(view, ivec2(x, y)), vec2(place) / kSubTexels, v, material);
-    }
-}
-
 void drawSmall(uint view, uint id, Placed p[3], ivec4 box, uint material) {
   ivec2 grid[3] = {p[0].grid, p[1].grid, p[2].grid};
   turnInside(grid, true);
-  if (isWarped())
-    fillWarped(view, id, grid, varyingOver(p, grid[0] >> 8), box, material);
-  else
-    fillSmall(view, id, edgesFrom(grid, sidesNear(grid, box.xy * int(kSubTexels))), varyingOver(p, box.xy), box,
-              material);
+  fillSmall(view, id, edgesFrom(grid, sidesNear(grid, box.xy * int(kSubTexels))), varyingOver(p), box, material);
 }
 
 #endif

@@ -105,12 +105,11 @@ class RasteriserTest : public DeviceTest<> {
 
   // Texels of all maps whose sum over all triangles isn't the exact one.
   static std::size_t wrongTexels(const Soup& soup, Projection projection, const std::vector<MapRect>& maps,
-                                 Coverage coverage, std::uint32_t texelMap = shared::kMapLinear) {
+                                 Coverage coverage) {
     const std::vector<std::uint32_t> drawn = stage().draw(
         soup, projection, maps,
         {.sums = true,
-         .coverage = coverage == Coverage::centre ? shared::kCoverCentre : shared::kCoverConservative,
-         .texelMap = texelMap});
+         .coverage = coverage == Coverage::centre ? shared::kCoverCentre : shared::kCoverConservative});
     std::vector<std::uint32_t> exact(drawn.size());
     std::uint32_t first = 0;
     for (const MapRect& map : maps) {
@@ -160,15 +159,6 @@ INSTANTIATE_TEST_SUITE_P(Both, Fuzz,
                                            std::pair(Projection::parallel, Coverage::conservative),
                                            std::pair(Projection::perspective, Coverage::centre),
                                            std::pair(Projection::perspective, Coverage::conservative)));
-
-// A warp that moves nothing takes the way of all warps.
-TEST_F(RasteriserTest, WarpsAskEachTexelsCentreWhereItCameFrom) {
-  const glm::uvec2 size(300, 210);
-  for (const Projection projection : {Projection::parallel, Projection::perspective})
-    EXPECT_EQ(wrongTexels(Triangles(5, projection, size).make(3000), projection, {{{0, 0}, size}},
-                          Coverage::centre, shared::kMapIdentity),
-              0u);
-}
 
 // The judge itself, on a triangle whose coverage is known by hand.
 TEST(ExactRaster, KnowsAnEdgeThroughCentres) {

@@ -30,7 +30,6 @@ struct RasterChoice {
   bool ids = false;   // 64 bits a texel, depth and triangle, instead of 32 of depth
   bool sums = false;  // 32 bits a texel, of a sum over all triangles: tests alone
   std::uint32_t coverage = shared::kCoverCentre;
-  std::uint32_t texelMap = shared::kMapLinear;
   Warp warp = Warp::none;  // with centre coverage, without ids
 };
 

@@ -28,10 +28,6 @@ SUNDIAL_CONST kCoverConservative = 1u;  // all that touch it, with the nearest d
 
 SUNDIAL_CONST kSumFactor = 2654435761u;  // keep_sum.glsl
 
-// Where texels lie in a view: raster_map.glsl.
-SUNDIAL_CONST kMapLinear = 0u;
-SUNDIAL_CONST kMapIdentity = 1u;  // a warp that moves nothing: of tests
-
 struct DispatchCommand {  // VkDispatchIndirectCommand
   uint x;
   uint y;
@@ -51,10 +47,9 @@ struct RasterPart {
   int x[3];  // 1/256 texels from the centre of the map's first texel; turning the same way for all
   int y[3];
   int box[4];  // texels, first and last
-  vec2 from;   // Varying
-  vec3 depth;  // at the box's first texel, and what each one to the right and down adds
+  vec3 depth;  // Varying
   vec2 depthRange;
-  vec4 attributes[3];  // of masked triangles, the same three of (uv, alpha, 1) over w
+  vec4 attributes[3];  // of masked triangles: (uv, alpha, 1) over w
 };
 
 // kBandRows rows of a part.

@@ -2,18 +2,24 @@
 #ifndef SUNDIAL_FUSED_GLSL
 #define SUNDIAL_FUSED_GLSL
 
-// `b` is whole and below 2^14 in size. What the product loses is found by halves [Dekker 1971], what the sum loses by
-// [Knuth 1969]; both are added at the end.
-vec4 fused(vec4 a, float b, vec4 c) {
-  const float bHigh = floor(b * (1 / 128.0)) * 128, bLow = b - bHigh;
-  const vec4 aHigh = uintBitsToFloat(floatBitsToUint(a) & 0xfffff000u), aLow = a - aHigh;
-  precise const vec4 product = a * b;
-  precise const vec4 lost = ((aHigh * bHigh - product) + aHigh * bLow + aLow * bHigh) + aLow * bLow;
-  precise const vec4 sum = product + c;
-  precise const vec4 cPart = sum - product;
-  precise const vec4 lostToo = (product - (sum - cPart)) + (c - cPart);
-  precise const vec4 result = sum + (lost + lostToo);
+// The first ten bits of a float's fraction: its product with a whole number below 2^14 is exact, and that of the rest is
+// small enough not to be rounded where it counts.
+vec4 highPart(vec4 a) { return uintBitsToFloat(floatBitsToUint(a) & 0xffffc000u); }
+vec2 highPart(vec2 a) { return uintBitsToFloat(floatBitsToUint(a) & 0xffffc000u); }
+
+// `high` is highPart(a). What the sum loses is found as by [Knuth 1969], and added at the end.
+float fused(float a, float high, float b, float c) {
+  precise const float product = high * b, rest = (a - high) * b;
+  precise const float sum = product + c;
+  precise const float cPart = sum - product;
+  precise const float lost = (product - (sum - cPart)) + (c - cPart);
+  precise const float result = sum + (rest + lost);
   return result;
+}
+
+vec4 fused(vec4 a, vec4 high, float b, vec4 c) {
+  return vec4(fused(a.x, high.x, b, c.x), fused(a.y, high.y, b, c.y), fused(a.z, high.z, b, c.z),
+              fused(a.w, high.w, b, c.w));
 }
 
 #endif

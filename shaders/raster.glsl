@@ -85,6 +85,7 @@ bool isSmall(Placed p[3], ivec4 box) {
 // edge-on, the last bit decides.
 struct Varying {
   vec3 depth;
+  vec2 depthHigh;  // highPart() of its slopes
   vec2 depthRange;
   vec4 attributes[3];
 };
@@ -101,6 +102,7 @@ Varying varyingOver(Placed p[3]) {
     precise const float before = right * from.x + down * from.y;
     precise const float first = p[0].depth - before;
     v.depth = vec3(first, right, down);
+    v.depthHigh = highPart(v.depth.yz);
   }
   // Casters before the near plane are kept, at 1.
   v.depthRange =

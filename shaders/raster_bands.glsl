@@ -35,6 +35,7 @@ void main() {
   const ivec2 grid[3] = {ivec2(part.x[0], part.y[0]), ivec2(part.x[1], part.y[1]), ivec2(part.x[2], part.y[2])};
   Varying v;
   v.depth = part.depth;
+  v.depthHigh = highPart(v.depth.yz);
   v.depthRange = part.depthRange;
   if (kMasked) v.attributes = part.attributes;
   const uint material = materialOf(part.id);

@@ -10,11 +10,12 @@ void keep(uint index, float depth, uint id);
 // `texel` is counted in the image.
 void fillTexel(uint id, uint index, vec2 texel, Varying v, uint material) {
   if (kMasked) {
-    const vec4 a = fused(v.attributes[2], texel.y, fused(v.attributes[1], texel.x, v.attributes[0]));
+    const vec4 a = fused(v.attributes[2], highPart(v.attributes[2]), texel.y,
+                         fused(v.attributes[1], highPart(v.attributes[1]), texel.x, v.attributes[0]));
     precise const float w = 1 / a.w;
     if (isHole(materials[material], a.xy * w, vec4(1, 1, 1, a.z * w))) return;
   }
-  float depth = fused(vec4(v.depth.z), texel.y, fused(vec4(v.depth.y), texel.x, vec4(v.depth.x))).x;
+  float depth = fused(v.depth.z, v.depthHigh.y, texel.y, fused(v.depth.y, v.depthHigh.x, texel.x, v.depth.x));
   if (kCoverage == kCoverConservative) depth += 0.5 * (abs(v.depth.y) + abs(v.depth.z));
   // Of what a plane has beyond its triangle, the pipeline clips what lies before the near plane alone.
   const vec2 range = kCoverage == kCoverConservative ? v.depthRange : vec2(0, 1);

@@ -97,7 +97,9 @@ Differences differences(const Frame& image, const Frame& linear) {
         found.covered += a > 0;
         found.missing += a > 0 && !(b > 0);
         found.added += !(a > 0) && b > 0;
-        found.far += std::abs(a - b) > 1e-4f;
+        const bool byZero = a == 1 && b > 0 && b < 1;
+        found.byZero += byZero;
+        found.far += !byZero && std::abs(a - b) > 1e-4f;
       }
   }
   return found;

@@ -39,6 +39,9 @@ double ratio(const std::vector<double>& of, const std::vector<double>& to);
 struct Differences {
   std::size_t covered = 0, missing = 0, added = 0;  // texels
   std::size_t far = 0;                              // deeper or higher by more than 1e-4
+  // At the near plane by the pipeline alone: it divides by the area of a triangle that has none in floats,
+  // and what is no number counts as the nearest. Not in `far`.
+  std::size_t byZero = 0;
 };
 // Of a frame that keeps its maps in an image and one that keeps them in a buffer; both have run.
 Differences differences(const Frame& image, const Frame& linear);

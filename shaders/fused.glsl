@@ -2,8 +2,8 @@
 #ifndef SUNDIAL_FUSED_GLSL
 #define SUNDIAL_FUSED_GLSL
 
-// The first ten bits of a float's fraction: its product with a whole number below 2^14 is exact, and that of the rest is
-// small enough not to be rounded where it counts.
+// The first ten bits of a float: its product with a number of fourteen, as places in a map and halves of its size are, is
+// exact, and that of the rest is small enough not to be rounded where it counts.
 vec4 highPart(vec4 a) { return uintBitsToFloat(floatBitsToUint(a) & 0xffffc000u); }
 vec2 highPart(vec2 a) { return uintBitsToFloat(floatBitsToUint(a) & 0xffffc000u); }
 

@@ -52,7 +52,9 @@ Placed placedIn(uint view, Corner corner) {
   const uvec2 offset = plan.views[view].rectOffset, size = plan.views[view].rectSize;
   precise const float perW = 1 / corner.clip.w;
   precise const vec2 half_ = 0.5 * vec2(size);
-  precise const vec2 window = corner.clip.xy * perW * half_ + (vec2(offset) + half_);
+  precise const vec2 ndc = corner.clip.xy * perW, centre = vec2(offset) + half_;
+  const vec2 high = highPart(ndc);
+  const vec2 window = vec2(fused(ndc.x, high.x, half_.x, centre.x), fused(ndc.y, high.y, half_.y, centre.y));
   // Where a triangle's plane passes the light, clipping leaves corners that rounding carries far outside.
   Placed p;
   p.at = clamp(window, vec2(offset) - 0.5, vec2(offset + size) + 0.5);

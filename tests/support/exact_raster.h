@@ -92,7 +92,9 @@ inline std::vector<glm::vec4> clippedToMap(const std::array<glm::vec4, 3>& corne
 inline GridPoint onGrid(const glm::vec4& clip, const MapRect& map) {
   const float perW = 1 / clip.w;
   const glm::vec2 half = 0.5f * glm::vec2(map.size);
-  const glm::vec2 window = glm::vec2(clip) * perW * half + (glm::vec2(map.offset) + half);
+  // The multiplication isn't rounded before the addition.
+  const glm::vec2 ndc = glm::vec2(clip) * perW, centre = glm::vec2(map.offset) + half;
+  const glm::vec2 window(std::fma(ndc.x, half.x, centre.x), std::fma(ndc.y, half.y, centre.y));
   // Where a triangle's plane passes the light, clipping leaves corners that rounding carries far outside.
   const glm::vec2 low = glm::vec2(map.offset) - 0.5f, high = glm::vec2(map.offset + map.size) + 0.5f;
   const glm::vec2 grid = (glm::clamp(window, low, high) - 0.5f) * static_cast<float>(kGrid);

@@ -43,6 +43,11 @@ void main() {
     v.attributesRight = part.attributes[1];
     v.attributesDown = part.attributes[2];
   }
+  if (kCoverage == kCoverConservative) {
+    vec2 corners[3];
+    for (int i = 0; i < 3; ++i) corners[i] = vec2(grid[i]) / kSubTexels;
+    coverOver(v, part.view, corners);
+  }
   const uint material = materialOf(part.id);
 
   const int y = part.box[1] + int(band.band * kBandRows + gl_LocalInvocationID.x);

@@ -16,7 +16,13 @@ void fillTexel(uint id, uint index, vec2 place, Varying v, uint material) {
   }
   float depth = v.depth + dot(v.depthSlope, to);
   if (kCoverage == kCoverConservative) depth += 0.5 * (abs(v.depthSlope.x) + abs(v.depthSlope.y));
-  keep(index, clamp(depth, v.depthRange.x, v.depthRange.y), id);
+  depth = clamp(depth, v.depthRange.x, v.depthRange.y);
+  // Of triangles about as near, which share edges more often than not, the one that covers most of the texel.
+  if (kCoverage == kCoverConservative && v.depthStep > 0) {
+    const vec3 inside = clamp(v.inside + v.insideRight * to.x + v.insideDown * to.y, 0, 1);
+    depth = min((floor(depth / v.depthStep) + inside.x * inside.y * inside.z) * v.depthStep, 1.0);
+  }
+  keep(index, depth, id);
 }
 
 uint indexOf(uint view, ivec2 texel) {
@@ -92,11 +98,13 @@ void fillWarped(uint view, uint id, ivec2 p[3], Varying v, ivec4 box, uint mater
 void drawSmall(uint view, uint id, Placed p[3], ivec4 box, uint material) {
   ivec2 grid[3] = {p[0].grid, p[1].grid, p[2].grid};
   turnInside(grid, true);
-  if (isWarped())
+  if (isWarped()) {
     fillWarped(view, id, grid, varyingOver(p, grid[0] >> 8), box, material);
-  else
-    fillSmall(view, id, edgesFrom(grid, sidesNear(grid, box.xy * int(kSubTexels))), varyingOver(p, box.xy), box,
-              material);
+    return;
+  }
+  Varying v = varyingOver(p, box.xy);
+  if (kCoverage == kCoverConservative) coverOver(v, view, vec2[3](p[0].at, p[1].at, p[2].at));
+  fillSmall(view, id, edgesFrom(grid, sidesNear(grid, box.xy * int(kSubTexels))), v, box, material);
 }
 
 #endif

@@ -4,19 +4,25 @@
 // other in rows of kHeldPitch.
 #include "map_triangle.glsl"
 
+// A view that is known beforehand is read once, not by every texel for itself.
+layout(constant_id = 0) const uint kViews = 1;
+
 layout(location = 0) out uvec4 outTriangle;
 
 void main() {
   const uint index = uint(gl_FragCoord.y) * kHeldPitch + uint(gl_FragCoord.x);
   outTriangle = uvec4(0);
   uint view = 0;
-  while (view < plan.viewCount && index - plan.views[view].linearOffset >=
-                                      plan.views[view].rectSize.x * plan.views[view].rectSize.y)
+  while (view < kViews && index - plan.views[view].linearOffset >=
+                              plan.views[view].rectSize.x * plan.views[view].rectSize.y)
     ++view;
-  if (view == plan.viewCount || plan.views[view].empty != 0 || linearStore[2 * index + 1] == 0) return;
+  if (view >= plan.viewCount) return;
+  if (kViews == 1) view = 0;
+  const uvec2 nearest = texelFetch(linearTexels, int(index)).xy;  // id, depth
+  if (nearest.y == 0) return;
   const uint within = index - plan.views[view].linearOffset;
   const uvec2 size = plan.views[view].rectSize;
   const vec2 centre = (vec2(within % size.x, within / size.x) + 0.5) / vec2(size);
   uvec2 owner;
-  outTriangle = packedTriangle(mapTriangle(view, linearStore[2 * index], centre, owner), centre);
+  outTriangle = packedTriangle(mapTriangle(view, nearest.x, centre, owner), centre);
 }

@@ -90,6 +90,9 @@ struct Varying {
   vec2 depthHigh;  // highPart() of its slopes
   vec2 depthRange;
   vec4 attributes[3];
+  // With conservative coverage: how much of the texel lies on the inner side of each edge, about, in [0, 1] if clamped.
+  vec3 inside, insideRight, insideDown;
+  float depthStep;  // depths so far apart count as one
 };
 
 Varying varyingOver(Placed p[3]) {
@@ -117,6 +120,23 @@ Varying varyingOver(Placed p[3]) {
     v.attributes = vec4[3](first, right, down);
   }
   return v;
+}
+
+// What conservative coverage asks beyond that; corners are counted from the centre of the image's first texel.
+void coverOver(inout Varying v, uint view, vec2 corners[3]) {
+  const vec2 b = corners[1] - corners[0], c = corners[2] - corners[0];
+  const float turn = b.x * c.y - b.y * c.x >= 0 ? 1.0 : -1.0;
+  for (int i = 0; i < 3; ++i) {
+    const vec2 along = corners[(i + 1) % 3] - corners[i];
+    const vec2 slope = turn * vec2(-along.y, along.x) / max(abs(along.x) + abs(along.y), 1e-6);
+    v.inside[i] = 0.5 + dot(slope, -corners[i]);
+    v.insideRight[i] = slope.x;
+    v.insideDown[i] = slope.y;
+  }
+  // A texel's width; a spot light's shrinks with the distance from the light, and counts as it is at the far end.
+  const ShadowView s = plan.views[view];
+  v.depthStep = max(s.texelSize.x, s.texelSize.y) * (frame.lightKind == kLightSpot ? s.lsMin.z : 1.0) /
+                (s.lsMax.z - s.lsMin.z);
 }
 
 #endif

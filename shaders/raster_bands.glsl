@@ -38,11 +38,16 @@ void main() {
   v.depthHigh = highPart(v.depth.yz);
   v.depthRange = part.depthRange;
   if (kMasked) v.attributes = part.attributes;
+  const ivec2 offset = ivec2(plan.views[part.view].rectOffset);
+  if (kCoverage == kCoverConservative) {
+    vec2 corners[3];
+    for (int i = 0; i < 3; ++i) corners[i] = vec2(grid[i]) / kSubTexels + vec2(offset);
+    coverOver(v, part.view, corners);
+  }
   const uint material = materialOf(part.id);
 
   const int y = part.box[1] + int(band.band * kBandRows + gl_LocalInvocationID.x);
   const int end = y <= part.box[3] ? part.box[2] + 1 : 0;
-  const ivec2 offset = ivec2(plan.views[part.view].rectOffset);
   for (int x = part.box[0]; x < end; x += int(kSegmentTexels)) {
     const Edges e = edgesFrom(grid, sidesFar(grid, ivec2(x, y) * int(kSubTexels)));
     const ivec2 span = spanOf(e, min(end - x, int(kSegmentTexels)));

@@ -16,10 +16,18 @@ void fillTexel(uint id, uint index, vec2 texel, Varying v, uint material) {
     if (isHole(materials[material], a.xy * w, vec4(1, 1, 1, a.z * w))) return;
   }
   float depth = fused(v.depth.z, v.depthHigh.y, texel.y, fused(v.depth.y, v.depthHigh.x, texel.x, v.depth.x));
-  if (kCoverage == kCoverConservative) depth += 0.5 * (abs(v.depth.y) + abs(v.depth.z));
-  // Of what a plane has beyond its triangle, the pipeline clips what lies before the near plane alone.
-  const vec2 range = kCoverage == kCoverConservative ? v.depthRange : vec2(0, 1);
-  keep(index, clamp(depth, range.x, range.y), id);
+  if (kCoverage == kCoverCentre) {
+    // Of what a plane has beyond its triangle, the pipeline clips what lies before the near plane alone.
+    keep(index, clamp(depth, 0, 1), id);
+    return;
+  }
+  depth = clamp(depth + 0.5 * (abs(v.depth.y) + abs(v.depth.z)), v.depthRange.x, v.depthRange.y);
+  // Of triangles about as near, which share edges more often than not, the one that covers most of the texel.
+  if (v.depthStep > 0) {
+    const vec3 inside = clamp(v.inside + v.insideRight * texel.x + v.insideDown * texel.y, 0, 1);
+    depth = min((floor(depth / v.depthStep) + inside.x * inside.y * inside.z) * v.depthStep, 1.0);
+  }
+  keep(index, depth, id);
 }
 
 uint indexOf(uint view, ivec2 texel) {
@@ -84,7 +92,9 @@ void fillSmall(uint view, uint id, Edges e, Varying v, ivec4 box, uint material)
 void drawSmall(uint view, uint id, Placed p[3], ivec4 box, uint material) {
   ivec2 grid[3] = {p[0].grid, p[1].grid, p[2].grid};
   turnInside(grid, true);
-  fillSmall(view, id, edgesFrom(grid, sidesNear(grid, box.xy * int(kSubTexels))), varyingOver(p), box, material);
+  Varying v = varyingOver(p);
+  if (kCoverage == kCoverConservative) coverOver(v, view, vec2[3](p[0].at - 0.5, p[1].at - 0.5, p[2].at - 0.5));
+  fillSmall(view, id, edgesFrom(grid, sidesNear(grid, box.xy * int(kSubTexels))), v, box, material);
 }
 
 #endif

@@ -1,6 +1,7 @@
 #include "shadow/triangle_store.h"
 
 #include "gpu/rendering.h"
+#include "shadow/plan_settings.h"
 #include "shared/bindings.h"
 #include "shared/triangle_texel.h"
 
@@ -19,7 +20,7 @@ TriangleStore::TriangleStore(const Device& device, FramePipelines& pipelines, co
                              const shared::FrameConstants& constants)
     : device_(device),
       ids_(device, pipelines, method, constants),
-      pack_(pipelines.fullscreen("pack_triangles.frag", VK_FORMAT_R32G32B32A32_UINT, {})),
+      pack_(pipelines.fullscreen("pack_triangles.frag", VK_FORMAT_R32G32B32A32_UINT, {shadowViewsOf(method)})),
       nearest_(makeSampler(device, VK_FILTER_NEAREST)) {
   takeRoom();
 }

@@ -24,7 +24,9 @@ SUNDIAL_CONST kWorkgroupsInRow = 32768u;  // of a dispatch; further ones go into
 
 // What a texel takes of a triangle.
 SUNDIAL_CONST kCoverCentre = 0u;        // those whose centre lies in it, with its depth there
-SUNDIAL_CONST kCoverConservative = 1u;  // all that touch it, with the nearest depth of its plane in the texel
+// All that touch it, with the nearest depth of its plane in the texel; but of those that are as near to
+// within a texel's width, the one that covers most of the texel (raster_fill.glsl).
+SUNDIAL_CONST kCoverConservative = 1u;
 
 SUNDIAL_CONST kSumFactor = 2654435761u;  // keep_sum.glsl
 

@@ -14,6 +14,10 @@
 
 layout(constant_id = 0) const uint kCoverage = kCoverCentre;
 layout(constant_id = 1) const bool kMasked = false;
+layout(constant_id = 2) const bool kKeepsId = false;
+
+// Of triangles about as near, which share edges more often than not, a texel keeps the one that covers most of it.
+const bool kPrefersCovering = kKeepsId && kCoverage == kCoverConservative;
 
 const uint kKind = kMasked ? 1 : 0;
 
@@ -88,9 +92,9 @@ bool isSmall(Placed p[3], ivec4 box) {
 struct Varying {
   vec3 depth;
   vec2 depthHigh;  // highPart() of its slopes
-  vec2 depthRange;
+  float depthAtMost;  // conservatively, `depth` is of each texel's corner that is nearest to the light: no nearer than this
   vec4 attributes[3];
-  // With conservative coverage: how much of the texel lies on the inner side of each edge, about, in [0, 1] if clamped.
+  // kPrefersCovering: how much of the texel lies on the inner side of each edge, about, in [0, 1] if clamped.
   vec3 inside, insideRight, insideDown;
   float depthStep;  // depths so far apart count as one
 };
@@ -110,8 +114,11 @@ Varying varyingOver(Placed p[3]) {
     v.depthHigh = highPart(v.depth.yz);
   }
   // Casters before the near plane are kept, at 1.
-  v.depthRange =
-      clamp(vec2(min(min(p[0].depth, p[1].depth), p[2].depth), max(max(p[0].depth, p[1].depth), p[2].depth)), 0, 1);
+  v.depthAtMost = 1;
+  if (kCoverage == kCoverConservative) {
+    v.depth.x += 0.5 * (abs(v.depth.y) + abs(v.depth.z));
+    v.depthAtMost = clamp(max(max(p[0].depth, p[1].depth), p[2].depth), 0, 1);
+  }
   if (kMasked) {
     precise const vec4 t01 = p[0].attributes - p[1].attributes, t20 = p[2].attributes - p[0].attributes;
     precise const vec4 right = t01 * a20.y - t20 * a01.y, down = t20 * a01.x - t01 * a20.x;
@@ -122,7 +129,7 @@ Varying varyingOver(Placed p[3]) {
   return v;
 }
 
-// What conservative coverage asks beyond that; corners are counted from the centre of the image's first texel.
+// What kPrefersCovering asks beyond that; corners are counted from the centre of the image's first texel.
 void coverOver(inout Varying v, uint view, vec2 corners[3]) {
   const vec2 b = corners[1] - corners[0], c = corners[2] - corners[0];
   const float turn = b.x * c.y - b.y * c.x >= 0 ? 1.0 : -1.0;

@@ -36,10 +36,10 @@ void main() {
   Varying v;
   v.depth = part.depth;
   v.depthHigh = highPart(v.depth.yz);
-  v.depthRange = part.depthRange;
+  v.depthAtMost = part.depthAtMost;
   if (kMasked) v.attributes = part.attributes;
   const ivec2 offset = ivec2(plan.views[part.view].rectOffset);
-  if (kCoverage == kCoverConservative) {
+  if (kPrefersCovering) {
     vec2 corners[3];
     for (int i = 0; i < 3; ++i) corners[i] = vec2(grid[i]) / kSubTexels + vec2(offset);
     coverOver(v, part.view, corners);

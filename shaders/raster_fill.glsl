@@ -15,15 +15,14 @@ void fillTexel(uint id, uint index, vec2 texel, Varying v, uint material) {
     precise const float w = 1 / a.w;
     if (isHole(materials[material], a.xy * w, vec4(1, 1, 1, a.z * w))) return;
   }
-  float depth = fused(v.depth.z, v.depthHigh.y, texel.y, fused(v.depth.y, v.depthHigh.x, texel.x, v.depth.x));
   if (kCoverage == kCoverCentre) {
+    const float exact = fused(v.depth.z, v.depthHigh.y, texel.y, fused(v.depth.y, v.depthHigh.x, texel.x, v.depth.x));
     // Of what a plane has beyond its triangle, the pipeline clips what lies before the near plane alone.
-    keep(index, clamp(depth, 0, 1), id);
+    keep(index, clamp(exact, 0, 1), id);
     return;
   }
-  depth = clamp(depth + 0.5 * (abs(v.depth.y) + abs(v.depth.z)), v.depthRange.x, v.depthRange.y);
-  // Of triangles about as near, which share edges more often than not, the one that covers most of the texel.
-  if (v.depthStep > 0) {
+  float depth = clamp(v.depth.x + v.depth.y * texel.x + v.depth.z * texel.y, 0, v.depthAtMost);
+  if (kPrefersCovering && v.depthStep > 0) {
     const vec3 inside = clamp(v.inside + v.insideRight * texel.x + v.insideDown * texel.y, 0, 1);
     depth = min((floor(depth / v.depthStep) + inside.x * inside.y * inside.z) * v.depthStep, 1.0);
   }
@@ -93,7 +92,7 @@ void drawSmall(uint view, uint id, Placed p[3], ivec4 box, uint material) {
   ivec2 grid[3] = {p[0].grid, p[1].grid, p[2].grid};
   turnInside(grid, true);
   Varying v = varyingOver(p);
-  if (kCoverage == kCoverConservative) coverOver(v, view, vec2[3](p[0].at - 0.5, p[1].at - 0.5, p[2].at - 0.5));
+  if (kPrefersCovering) coverOver(v, view, vec2[3](p[0].at - 0.5, p[1].at - 0.5, p[2].at - 0.5));
   fillSmall(view, id, edgesFrom(grid, sidesNear(grid, box.xy * int(kSubTexels))), v, box, material);
 }
 

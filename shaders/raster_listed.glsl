@@ -73,7 +73,7 @@ void cutIntoBands(uint view, uint id, Placed p[3], ivec4 box) {
   record.y = int[3](grid[0].y, grid[1].y, grid[2].y);
   record.box = int[4](box.x, box.y, box.z, box.w);
   record.depth = v.depth;
-  record.depthRange = v.depthRange;
+  record.depthAtMost = v.depthAtMost;
   if (kMasked) record.attributes = v.attributes;
   parts[kKind * push.partRoom + part] = record;
   for (uint i = 0; i < count; ++i) bands[kKind * push.bandRoom + first + i] = RasterBand(part, i);

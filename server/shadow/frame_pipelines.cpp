@@ -240,7 +240,7 @@ RasterPipelines FramePipelines::raster(const RasterChoice& choice, bool opaque, 
   RasterPipelines made{.begin = compute("raster_begin.comp", {})};
   for (const bool isMasked : {false, true}) {
     if (!(isMasked ? masked : opaque)) continue;
-    const Specialization constants{choice.coverage, isMasked, 0, 0, 0, 0, 0, warpOf(choice.warp)};
+    const Specialization constants{choice.coverage, isMasked, choice.ids, 0, 0, 0, 0, warpOf(choice.warp)};
     if (choice.warp != Warp::none) {
       made.kinds[isMasked] = {.clusters = compute("raster_warped_clusters.comp", constants),
                               .listed = compute("raster_warped_listed.comp", constants)};

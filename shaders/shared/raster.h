@@ -24,7 +24,7 @@ SUNDIAL_CONST kWorkgroupsInRow = 32768u;  // of a dispatch; further ones go into
 
 // What a texel takes of a triangle.
 SUNDIAL_CONST kCoverCentre = 0u;        // those whose centre lies in it, with its depth there
-// All that touch it, with the nearest depth of its plane in the texel; but of those that are as near to
+// All that touch it, with the nearest depth of its plane in the texel; with ids, of those that are as near to
 // within a texel's width, the one that covers most of the texel (raster_fill.glsl).
 SUNDIAL_CONST kCoverConservative = 1u;
 
@@ -50,7 +50,7 @@ struct RasterPart {
   int y[3];
   int box[4];  // texels, first and last
   vec3 depth;  // Varying
-  vec2 depthRange;
+  float depthAtMost;
   vec4 attributes[3];  // of masked triangles: (uv, alpha, 1) over w
 };
 

@@ -2,7 +2,8 @@
 #extension GL_GOOGLE_include_directive : require
 // lookup=spsm: sub-pixel shadow maps [Lecocq et al. 2014, sections 4 and 5]. A sample is lit if it lies on the triangle
 // that its texel holds, because that is the nearest of all that touch the texel; in shadow if its ray crosses that
-// triangle, or one of a neighbouring texel; or else uncertain, and the shadow's edge is rebuilt.
+// triangle, or one of a neighbouring texel; or else uncertain, and the shadow's edge is rebuilt. Samples that one
+// triangle decides don't come here: lookup_spsm_first.frag.
 #include "footprint.glsl"
 #include "resolve.glsl"
 #include "texel_triangle.glsl"
@@ -84,9 +85,8 @@ float lookup(uint view, Receiver r) {
   around.centre = texelIn(view, r.texel);
   around.at = r.texel - (vec2(around.centre) + 0.5);
   const Held own = heldIn(view, around.centre);
-  if (!own.exists) return answer(kAnswerOneTriangle, 1);
-  if (isOnPlane(own, r, around.at)) return answer(kAnswerOneTriangle, 1);
-  if (hides(own, r, around.at)) return answer(kAnswerOneTriangle, 0);
+  const float byOwn = litByOwn(own, r, around.at);
+  if (byOwn != kUndecided) return answer(kAnswerOneTriangle, byOwn);
 
   const ivec2 high = ivec2(plan.views[view].rectSize) - 1;
   around.held[8] = own;

@@ -6,6 +6,8 @@
 
 // A view that is known beforehand is read once, not by every texel for itself.
 layout(constant_id = 0) const uint kViews = 1;
+// Whether triangles may reach beyond the grid of corners. On lavapipe what is not needed is computed all the same.
+layout(constant_id = 1) const bool kBeyond = true;
 
 layout(location = 0) out uvec4 outTriangle;
 
@@ -24,5 +26,6 @@ void main() {
   const uvec2 size = plan.views[view].rectSize;
   const vec2 centre = (vec2(within % size.x, within / size.x) + 0.5) / vec2(size);
   uvec2 owner;
-  outTriangle = packedTriangle(mapTriangle(view, nearest.x, centre, owner), centre);
+  const MapTriangle triangle = mapTriangle(view, nearest.x, centre, owner);
+  outTriangle = kBeyond ? packedTriangle(onGrid(triangle, centre)) : packedTriangle(triangle);
 }

@@ -82,4 +82,12 @@ bool hides(Held held, Receiver r, vec2 at) {
          !isOnPlane(held, r, at);
 }
 
+// What the triangle of the receiver's own texel says alone: how lit it is, or kUndecided. On its plane it is lit, because
+// that triangle is the nearest of all that touch the texel.
+const float kUndecided = -1;
+float litByOwn(Held own, Receiver r, vec2 at) {
+  if (!own.exists || isOnPlane(own, r, at)) return 1;
+  return hides(own, r, at) ? 0.0 : kUndecided;
+}
+
 #endif

@@ -52,7 +52,7 @@ TEST(TriangleTexel, CornersAndDepthComeBackAsFineAsTheirCodes) {
     for (vec2& corner : t.corners) corner = {onMap(random), onMap(random)};
     t.depth = depth(random);
     t.slope = vec2(0);
-    const uvec4 texel = packedTriangle(t, vec2(0.5f));
+    const uvec4 texel = packedTriangle(t);
     const float half = 0.501f * (1 + 2 * kCornerMargin) / kCornerSteps;
     for (int c = 0; c < 3; ++c) {
       EXPECT_NEAR(cornerOfCode(texel[c]).x, t.corners[c].x, half);
@@ -97,7 +97,7 @@ TEST(TriangleTexel, LargeTrianglesAreTheSameAboutTheirTexel) {
       return containsPoint(at, p);
     };
     if (!inside(t.corners, texel)) continue;
-    const uvec4 packed = packedTriangle(t, texel);
+    const uvec4 packed = packedTriangle(onGrid(t, texel));
     vec2 kept[3];
     for (int c = 0; c < 3; ++c) kept[c] = cornerOfCode(packed[c]);
     float nearest = 1;

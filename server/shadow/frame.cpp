@@ -337,10 +337,22 @@ BindingSet Frame::bindingsAt(const ViewTarget& points) const {
 
 void Frame::recordLookup(VkCommandBuffer command, const ViewTarget& points,
                          const BindingSet& bindings) const {
-  bindings.bind(command);
-  renderInto(command, {&points.visibility}, nullptr, [&] {
-    vkCmdBindPipeline(command, VK_PIPELINE_BIND_POINT_GRAPHICS, pipelines_->resolve);
+  const auto draw = [&](VkPipeline pipeline) {
+    vkCmdBindPipeline(command, VK_PIPELINE_BIND_POINT_GRAPHICS, pipeline);
     vkCmdDraw(command, 3, 1, 0, 0);
+  };
+  bindings.bind(command);
+  if (!pipelines_->resolveFirst) {
+    renderInto(command, {&points.visibility}, nullptr, [&] { draw(pipelines_->resolve); });
+    return;
+  }
+  renderInto(command, {&points.visibility}, &points.undecided, [&] {
+    draw(pipelines_->resolveFirst);
+    // Between what is decided, at 1, and what isn't, at 0.
+    const auto [width, height] = points.visibility.extent();
+    const VkViewport between{0, 0, static_cast<float>(width), static_cast<float>(height), 0.5f, 0.5f};
+    vkCmdSetViewport(command, 0, 1, &between);
+    draw(pipelines_->resolve);
   });
 }
 

@@ -197,12 +197,19 @@ FramePipelines::FramePipelines(const Device& device)
 MethodPipelines FramePipelines::of(const Method& method) {
   const Stages& stages = *method.stages;
   const bool histogram = stages.partition == Partition::adaptive || stages.partition == Partition::kmeans;
+  const bool twoRounds = stages.lookup == Lookup::spsm;
+  const auto round = [&](std::string_view shader) {
+    GraphicsPipelineInfo info = fullscreenOf(shader, {VK_FORMAT_R32_SFLOAT});
+    info.depth = true;
+    return drawing(info, resolveConstants(method, shared::kAnswerVisibility));
+  };
   MethodPipelines made{
       .plan = compute(planShader(stages.partition), planConstants(method)),
       .store = storeDepth_,
       .storeMasked = storeDepthMasked_,
-      .resolve = fullscreen(lookupShader(stages.lookup), VK_FORMAT_R32_SFLOAT,
-                            resolveConstants(method, shared::kAnswerVisibility)),
+      .resolve = twoRounds ? round(lookupShader(stages.lookup))
+                           : fullscreen(lookupShader(stages.lookup), VK_FORMAT_R32_SFLOAT,
+                                        resolveConstants(method, shared::kAnswerVisibility)),
       .answers = fullscreen("answers.frag", VK_FORMAT_R32G32B32A32_UINT, lookupConstants(method))};
   // A pipeline that isn't used would still be compiled: a cold start is short of that time.
   const bool samples = asksSamples(stages);
@@ -217,6 +224,7 @@ MethodPipelines FramePipelines::of(const Method& method) {
     if (!method.settings.extent) made.analyzeSquare = compute("analyze_square.comp", {});
     if (stages.focus == Focus::loose) made.analyzeCasters = compute("analyze_casters.comp", {});
   }
+  if (twoRounds) made.resolveFirst = round("lookup_spsm_first.frag");
   if (stages.resolution == Resolution::estimated && stages.storage == Storage::depth) {
     made.store = drawing(storeOf("store_placed.vert", "", false));
     made.storeMasked = drawing(storeOf("store_placed_masked.vert", "store_depth_masked.frag", true));

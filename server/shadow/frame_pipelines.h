@@ -17,6 +17,7 @@ struct MethodPipelines {
   VkPipeline store, storeMasked;
   VkPipeline storeClear = VK_NULL_HANDLE;  // resolution=estimated, storage=depth
   VkPipeline resolve, answers;
+  VkPipeline resolveFirst = VK_NULL_HANDLE;  // lookup=spsm, before `resolve`
   // Where samples are asked, depth is cut, or tiles are fitted to casters.
   VkPipeline analyzeSquare = VK_NULL_HANDLE;
   VkPipeline analyzeDepths = VK_NULL_HANDLE, analyzeSplits = VK_NULL_HANDLE;

@@ -14,13 +14,19 @@ VkExtent2D extentOf(std::uint64_t texels) {
           static_cast<std::uint32_t>((texels + shared::kHeldPitch - 1) / shared::kHeldPitch)};
 }
 
+// Whether triangles may have corners beyond their map: one of the whole scene holds all in sunlight.
+bool reachBeyond(const Method& method, const shared::FrameConstants& constants) {
+  return method.stages->volume != Volume::scene || constants.lightKind != shared::kLightDirectional;
+}
+
 }  // namespace
 
 TriangleStore::TriangleStore(const Device& device, FramePipelines& pipelines, const Method& method,
                              const shared::FrameConstants& constants)
     : device_(device),
       ids_(device, pipelines, method, constants),
-      pack_(pipelines.fullscreen("pack_triangles.frag", VK_FORMAT_R32G32B32A32_UINT, {shadowViewsOf(method)})),
+      pack_(pipelines.fullscreen("pack_triangles.frag", VK_FORMAT_R32G32B32A32_UINT,
+                                 {shadowViewsOf(method), reachBeyond(method, constants)})),
       nearest_(makeSampler(device, VK_FILTER_NEAREST)) {
   takeRoom();
 }

@@ -18,6 +18,7 @@ class ViewTarget {
   GpuImage depth;       // D32, reversed
   GpuImage ids;         // RG32UI: draw, triangle
   GpuImage visibility;  // R32F
+  GpuImage undecided;   // D32: 0 where the first round of a lookup left the answer to the second
   GpuImage colour;      // RGBA8, sRGB
   // The view samples, two RGBA32UI images (a buffer would pass lavapipe's limit of 128 MiB at 2048 x 2048):
   GpuImage positions;  // the position's bits and the instance

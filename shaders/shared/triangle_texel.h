@@ -144,15 +144,22 @@ SUNDIAL_FUNCTION MapTriangle grownAbout(MapTriangle t, vec2 texelCentre) {
   return grown;
 }
 
-SUNDIAL_FUNCTION uvec4 packedTriangle(MapTriangle given, vec2 texelCentre) {
+// A triangle as one whose corners are on the grid.
+SUNDIAL_FUNCTION MapTriangle onGrid(MapTriangle given, vec2 texelCentre) {
   MapTriangle t = given;
   if (!isOnGrid(t.corners[0]) && !isOnGrid(t.corners[1]) && !isOnGrid(t.corners[2]))
     t = grownAbout(given, texelCentre);
-  const vec2 a = cornerOnGrid(t.corners[0], t.corners[1], t.corners[2], texelCentre);
-  const vec2 b = cornerOnGrid(t.corners[1], t.corners[2], t.corners[0], texelCentre);
-  const vec2 c = cornerOnGrid(t.corners[2], t.corners[0], t.corners[1], texelCentre);
+  MapTriangle moved = t;
+  moved.corners[0] = cornerOnGrid(t.corners[0], t.corners[1], t.corners[2], texelCentre);
+  moved.corners[1] = cornerOnGrid(t.corners[1], t.corners[2], t.corners[0], texelCentre);
+  moved.corners[2] = cornerOnGrid(t.corners[2], t.corners[0], t.corners[1], texelCentre);
+  return moved;
+}
+
+// Of a triangle on the grid.
+SUNDIAL_FUNCTION uvec4 packedTriangle(MapTriangle t) {
   const vec2 slope = t.depth > 1.0f ? vec2(0.0f) : t.slope;
-  return uvec4(codeOfCorner(a), codeOfCorner(b), codeOfCorner(c),
+  return uvec4(codeOfCorner(t.corners[0]), codeOfCorner(t.corners[1]), codeOfCorner(t.corners[2]),
                codeOfDepth(t.depth) << 16 | codeOfSlope(slope.x) << 8 | codeOfSlope(slope.y));
 }
 

@@ -21,7 +21,7 @@ constexpr std::array kEffects = {
     Effect{"partition", "sdsm-log,texels=256", "sdsm-log,texels=256,partition=kmeans"},
     Effect{"warp", "dv,texels=256", "dv,texels=256,warp=non-orthogonal"},
     Effect{"focus", "sdsm-log,texels=256", "sdsm-log,texels=256,focus=snapped"},
-    Effect{"resolution", "dv,texels=2048", "dv,texels=2048,resolution=estimated"},
+    Effect{"resolution", "dv,texels=2048", "dv,texels=2048,resolution=estimated,percentile=20"},
     Effect{"storage", "spsm,texels=256", "spsm,texels=256,storage=depth-id"},
     Effect{"lookup", "sm,texels=256", "sm,texels=256,lookup=pcf"},
     Effect{"kernel", "sm,texels=256,lookup=pcf", "sm,texels=256,lookup=pcf,kernel=5"},
@@ -45,8 +45,8 @@ constexpr std::array kEffects = {
     Effect{"tile_sizes", "iasm", "iasm,tile_sizes=256:128:64:64"},
     Effect{"extent", "iasm", "iasm,extent=40"},
     Effect{"placement", "iasm", "iasm,placement=column"},
-    Effect{"importance_gain", "iasm-forward", "iasm-forward,importance_gain=0"},
-    Effect{"importance_range", "iasm-forward", "iasm-forward,importance_range=1"},
+    Effect{"importance_gain", "iasm-fitted", "iasm-fitted,importance_gain=0"},
+    Effect{"importance_range", "iasm-fitted", "iasm-fitted,importance_range=1"},
 };
 
 // What the parameter is there for beyond the picture: how the same picture comes about.

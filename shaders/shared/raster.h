@@ -23,7 +23,7 @@ SUNDIAL_CONST kRasterKinds = 2u;          // opaque and masked triangles, each w
 SUNDIAL_CONST kWorkgroupsInRow = 32768u;  // of a dispatch; further ones go into its next row
 
 // What a texel takes of a triangle.
-SUNDIAL_CONST kCoverCentre = 0u;        // those whose centre lies in it, with its depth there
+SUNDIAL_CONST kCoverCentre = 0u;  // those whose centre lies in it, with its depth there
 // All that touch it, with the nearest depth of its plane in the texel; with ids, of those that are as near to
 // within a texel's width, the one that covers most of the texel (raster_fill.glsl).
 SUNDIAL_CONST kCoverConservative = 1u;

@@ -230,6 +230,20 @@ TEST(Reference, IgnoresHitsNearerThanAShareOfTheDiagonal) {
 }
 
 // No ray may slip between triangles, not even where it meets an edge or a corner exactly.
+// A sample is rounded to a place below its plane; the ray rises more slowly than it would have to.
+TEST(Reference, MeetsNothingBelowAPlaneThatTheLightGrazes) {
+  TinyScene scene;
+  scene.addInstance(scene.addMesh(ground()));
+  // A wall that hangs from the ground's far edge.
+  scene.addInstance(scene.addMesh(quad({kGround, 0, -kGround}, {0, -2, 0}, {0, 0, 2 * kGround})));
+  std::vector<ViewSample> samples;
+  for (int i = 0; i < 64; ++i) {
+    samples.push_back(onGround(kGround - 0.001f * static_cast<float>(1 + i), 0.03f * static_cast<float>(i)));
+    samples.back().wsPosition.y = -5e-7f;
+  }
+  EXPECT_EQ(litCount(traced(scene.finish(), samples, sun({-1, -5e-6, 0}))), 64);
+}
+
 TEST(Reference, DoesNotLeakThroughAClosedMesh) {
   const int rings = 16;
   const Soup ball = sphere(rings);

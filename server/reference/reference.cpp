@@ -19,6 +19,9 @@ namespace sundial {
 namespace {
 
 constexpr double kNearestHit = 2e-5;  // of the scene's diagonal
+// Rays that leave their receiver's plane more slowly than this, metres a metre, are still within a view
+// sample's rounding of it where hits begin to count.
+constexpr float kGrazing = 0.01f;
 
 // Which samples travel together. Neighbours of an image in tiles of 4x4 take nearly the same way.
 class Packets {
@@ -66,6 +69,7 @@ struct Reference::Impl {
   explicit Impl(std::shared_ptr<const Scene>);
   EmbreeScene makeScene() const;
   EmbreeScene buildMesh(std::uint32_t mesh);
+  glm::dvec3 abovePlane(const shared::ViewSample&, const glm::dvec3& position) const;
   void tracePacket(const Packets&, std::size_t packet, std::span<const shared::ViewSample>, const FrameLight&,
                    const glm::dvec3& centreFromOrigin, std::span<float> visibility) const;
 
@@ -131,6 +135,22 @@ EmbreeScene Reference::Impl::buildMesh(std::uint32_t index) {
   return result;
 }
 
+// Where a ray starts that all but lies in its receiver's plane. A view sample's position is rounded; a little
+// below the plane the ray would meet what adjoins the receiver from behind. So it starts on the plane, found
+// in double precision, and above it by what rounding to single precision may take again. `position` and the
+// result are relative to the centre of the scene's bounds.
+glm::dvec3 Reference::Impl::abovePlane(const shared::ViewSample& sample, const glm::dvec3& position) const {
+  if (sample.instance >= scene->instances.size() || sample.triangle >= scene->indices.size() / 3)
+    return position;
+  const glm::dvec3 corner(scene->vertices[scene->indices[std::size_t{3} * sample.triangle]].position);
+  const glm::dvec3 onPlane(scene->instances[sample.instance].worldFromMesh * glm::dvec4(corner, 1));
+  const glm::dvec3 normal(sample.wsNormal);
+  const double below = glm::dot(normal, onPlane - scene->bounds.centre() - position);
+  if (!(std::abs(below) < nearest)) return position;  // not on its triangle
+  const double largest = std::max({std::abs(position.x), std::abs(position.y), std::abs(position.z)});
+  return position + (below + 2 * std::numeric_limits<float>::epsilon() * largest) * normal;
+}
+
 void Reference::Impl::tracePacket(const Packets& packets, std::size_t packet,
                                   std::span<const shared::ViewSample> samples, const FrameLight& light,
                                   const glm::dvec3& centreFromOrigin, std::span<float> visibility) const {
@@ -158,8 +178,10 @@ void Reference::Impl::tracePacket(const Packets& packets, std::size_t packet,
     float tNear = 0, tFar = 0;
     if (valid[lane]) {
       const shared::ViewSample& sample = samples[index[lane]];
-      from = glm::vec3(glm::dvec3(sample.wsPosition) + centreFromOrigin);
+      const glm::dvec3 position = glm::dvec3(sample.wsPosition) + centreFromOrigin;
       towards = light.towards(sample);
+      const bool grazes = glm::dot(sample.wsNormal, towards) < kGrazing * glm::length(towards);
+      from = glm::vec3(grazes ? abovePlane(sample, position) : position);
       // A ray towards a light at a place has the length of its way, so that it ends there at t = 1.
       tNear = endless ? nearest : nearest / glm::length(towards);
       tFar = endless ? std::numeric_limits<float>::infinity() : 1.0f;

@@ -99,8 +99,8 @@ std::optional<std::string> whyImpossible(const Stages& stages) {
   if (cube && stages.warp != Warp::none)
     return "a warp is made for the samples in one map, and partition=cube has six: use warp=none";
   if (cube && stages.storage == Storage::moments)
-    return "moments are filtered within one map, and shadows would break at a cube's edges: use "
-           "storage=depth with lookup=pcf";
+    return "storage=moments is filtered within one map, and shadows would break at the edges of "
+           "partition=cube: use storage=depth with lookup=pcf";
   if (stages.warp != Warp::none) {
     if (!single || !samples)
       return "a warp is made for the samples in one map: use volume=samples with partition=single";

@@ -38,8 +38,9 @@ const std::vector<Rule>& rules() {
         .min = 16,
         .max = 16384,
         .defaultValue = "2048",
-        .description = "size of every map: a side, or WIDTHxHEIGHT, of partition=cube 1024 unless said; "
-                       "resolution=estimated: the most that it may be"},
+        .description =
+            "size of every map: a side, or WIDTHxHEIGHT; of partition=cube 1024 unless it is given; "
+            "resolution=estimated: the most that it may be"},
        [](const Stages& s) { return s.partition != Partition::tiles; },
        [](const std::string& text, Method::Settings& s) {
          const auto [width, height] = sizeIn(text);

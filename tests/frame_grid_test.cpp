@@ -207,7 +207,8 @@ void expectsBoxes(const std::vector<Rendering>& renderings, const Light& light) 
     SCOPED_TRACE(r.result.method.label());
     const PlanTexels planTexels(r);
     const dvec2 mapSize(r.plan[0].gpu.rectSize);
-    const int kernel = r.result.method.stages->lookup == Lookup::pcf ? r.result.method.settings.kernel : 0;
+    const int kernel =
+        r.result.method.stages->lookup == Lookup::pcf ? static_cast<int>(r.result.method.settings.kernel) : 0;
     std::size_t compared = 0, between = 0;
     double worst = 0;
     for (std::size_t i = 0; i < r.pixels(); i += 7) {

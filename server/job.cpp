@@ -8,6 +8,7 @@
 #include "shadow/camera.h"
 #include "shadow/frame.h"
 #include "shadow/frame_runner.h"
+#include "shadow/method_in_light.h"
 #include "shared/choices.h"
 
 namespace sundial {
@@ -241,21 +242,25 @@ void countScenes(std::vector<PassTiming>& passes, const Scene& scene) {
 
 }  // namespace
 
-std::optional<std::string> whyInvalid(glm::uvec2 size, const std::vector<Method>& methods,
+std::optional<std::string> whyInvalid(glm::uvec2 size, const std::vector<Method>& methods, LightKind light,
                                       const Device& device) {
   const unsigned limit = device.limits().maxImageDimension2D, most = std::min(kMaxSide, limit);
   if (size.x < 1 || size.y < 1 || size.x > most || size.y > most)
     return fmt::format("size: {}x{} pixels; each side must be in [1, {}]", size.x, size.y, most);
   if (methods.empty()) return "methods: none is given";
-  for (const Method& method : methods)
-    if (method.stages)
-      if (auto why = whyTooLarge(method, device)) return fmt::format("method {}: {}", method.label(), *why);
+  for (const Method& method : methods) {
+    const Result<Method> inLight = methodInLight(method, light);
+    if (!inLight) return inLight.error().message;
+    if (auto why = whyTooLarge(*inLight, device)) return fmt::format("method {}: {}", inLight->label(), *why);
+  }
   return std::nullopt;
 }
 
 std::optional<std::string> whyInvalid(const RenderJob& job, const Device& device) {
   if (!job.scene) return "scene: none is given";
-  if (auto why = whyInvalid(job.size, job.methods, device)) return why;
+  if (auto why = whyInvalid(job.size, job.methods, job.light.kind, device)) return why;
+  if (job.baseline)
+    if (auto why = whyInvalid(job.size, {*job.baseline}, job.light.kind, device)) return "baseline: " + *why;
   const auto counts = [](const Method& m) { return m.row->technique == Technique::shadowVolumes; };
   if (job.baseline && counts(*job.baseline))
     if (auto why = whyNoVolumes(*job.scene))
@@ -298,10 +303,11 @@ Result<void> runJob(const JobContext& context, const RenderJob& job, const Inter
                        .constants = frameConstants(scene, job.view, light, job.size, origin)};
 
   std::optional<Frame> baseline;
-  if (job.baseline && job.repetitions > 0) baseline.emplace(view, *job.baseline);
+  if (job.baseline && job.repetitions > 0)
+    baseline.emplace(view, methodInLight(*job.baseline, light.kind).value());
   std::optional<Truth> truth;
   for (std::size_t i = 0; i < job.methods.size(); ++i) {
-    const Method& method = job.methods[i];
+    const Method method = methodInLight(job.methods[i], light.kind).value();
     Frame frame(view, method);
     auto series = timeFrames(context.device, frame, baseline ? &*baseline : nullptr, job, interrupt);
     if (!series) return std::unexpected(series.error());

@@ -32,7 +32,7 @@ struct JobContext {
 
 std::optional<std::string> whyInvalid(const RenderJob&, const Device&);
 // What every kind of job has.
-std::optional<std::string> whyInvalid(glm::uvec2 size, const std::vector<Method>&, const Device&);
+std::optional<std::string> whyInvalid(glm::uvec2 size, const std::vector<Method>&, LightKind, const Device&);
 
 // Errors and exceptions as Renderer::run.
 Result<void> runJob(const JobContext&, const RenderJob&, const Interrupt&, JobSink&);

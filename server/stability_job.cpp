@@ -8,6 +8,7 @@
 #include "shadow/camera.h"
 #include "shadow/frame.h"
 #include "shadow/frame_runner.h"
+#include "shadow/method_in_light.h"
 #include "stability/flips.h"
 #include "stability/point_target.h"
 #include "stability/points.h"
@@ -263,7 +264,6 @@ Result<void> runMethod(const JobContext& context, const Stage& stage, PointTarge
 
 std::optional<std::string> whyInvalid(const StabilityJob& job, const Device& device) {
   if (!job.scene) return "scene: none is given";
-  if (auto why = whyInvalid(job.size, job.methods, device)) return why;
   for (const Method& method : job.methods)
     if (method.row->technique == Technique::shadowVolumes)
       return fmt::format(
@@ -275,6 +275,7 @@ std::optional<std::string> whyInvalid(const StabilityJob& job, const Device& dev
     return fmt::format("frames: {}; must be in [1, {}]", job.views.size(), kMaxStabilityFrames);
   if (job.lights.size() != job.views.size())
     return fmt::format("lights: {} for {} frames; give one a frame", job.lights.size(), job.views.size());
+  if (auto why = whyInvalid(job.size, job.methods, job.lights.front().kind, device)) return why;
   for (std::size_t f = 0; f < job.views.size(); ++f) {
     if (auto why = whyInvalid(job.views[f])) return fmt::format("frame {}: {}", f, *why);
     if (auto why = whyInvalid(job.lights[f])) return fmt::format("frame {}: {}", f, *why);
@@ -290,6 +291,7 @@ Result<void> runStabilityJob(const JobContext& context, const StabilityJob& job,
                              StabilitySink& sink) {
   StabilityJob unit = job;
   for (Light& light : unit.lights) light.direction = glm::normalize(light.direction);
+  for (Method& method : unit.methods) method = methodInLight(method, unit.lights.front().kind).value();
   Stage stage(context, unit);
   if (auto chosen = stage.choosePoints(interrupt); !chosen) return chosen;
   PointTarget target(context.device, unit.points);

@@ -40,14 +40,15 @@ uint importanceOf(float depth) {
 }
 
 // False where no segment has the sample.
-bool segmentOf(ViewSample s, vec2 ls, out uint segment) {
+bool segmentOf(ViewSample s, vec4 light, out uint segment) {
   segment = 0;
   if (kSegments == kSegmentTile) {
     const Square square = inscribedSquare();
-    return tileAt(ls, square.corner, square.side / float(frame.settings.tilesPerSide), frame.settings.tilesPerSide,
+    return tileAt(light.xy / light.w, square.corner, square.side / float(frame.settings.tilesPerSide), frame.settings.tilesPerSide,
                   segment);
   }
-  if (kSegments != kSegmentAll) segment = partitionOf(viewDepth(s.wsPosition, kSegments == kSegmentRadius));
+  if (kSegments == kSegmentFace) segment = faceOf(light);
+  else if (kSegments != kSegmentAll) segment = partitionOf(viewDepth(s.wsPosition, kSegments == kSegmentRadius));
   return true;
 }
 
@@ -58,7 +59,7 @@ void countPixel(uint segment, vec2 size) {
 
 // Whether the sample lies in the last part of its partition's depth, which fades into the next.
 bool fades(ViewSample s, uint segment) {
-  if (kSegments == kSegmentAll || kSegments == kSegmentTile) return false;
+  if (kSegments != kSegmentDepth && kSegments != kSegmentRadius) return false;
   if (frame.settings.blend == 0 || segment + 1 >= frame.settings.partitions) return false;
   const float begin = analysis.splits[segment], end = analysis.splits[segment + 1];
   return viewDepth(s.wsPosition, kSegments == kSegmentRadius) > end - frame.settings.blend * (end - begin);
@@ -72,10 +73,11 @@ void main() {
     if (pixel >= pixelCount()) break;
     const ViewSample s = sampleOf(pixel);
     if (!facesLight(s)) continue;
-    const vec4 light = frame.lightFromWorld * vec4(s.wsPosition, 1);
-    const vec3 ls = light.xyz / light.w;
+    vec4 light = frame.lightFromWorld * vec4(s.wsPosition, 1);
     uint segment;
-    if (!segmentOf(s, ls.xy, segment)) continue;
+    if (!segmentOf(s, light, segment)) continue;
+    if (kSegments == kSegmentFace) light = faceFromLight(segment, light);
+    const vec3 ls = light.xyz / light.w;
     if (segment != current && found.samples > 0) {
       handOver(current, found);
       found = kNothing;
@@ -87,7 +89,9 @@ void main() {
     // A sample that fades into the next partition must find itself there too.
     if (fades(s, segment)) handOver(segment + 1, Found(ls, ls, 0, 0, vec2(1e38)));
     if (kSizes != kSizesFixed) {
-      const vec2 size = pixelSize(ivec2(pixel % frame.imageSize.x, pixel / frame.imageSize.x), frame.lightFromWorld);
+      const mat4 axes = kSegments == kSegmentFace ? faceFromWorld(segment, frame.faceTurn[segment], frame.lightFromWorld)
+                                                  : frame.lightFromWorld;
+      const vec2 size = pixelSize(ivec2(pixel % frame.imageSize.x, pixel / frame.imageSize.x), axes);
       if (kSizes == kSizesPercentile) countPixel(segment, size);
       else found.pixel = min(found.pixel, size);
     }

@@ -5,6 +5,7 @@
 #include "shared/choices.h"
 #include "tiles.glsl"
 #include "view_depth.glsl"
+#include "view_space.glsl"
 
 layout(constant_id = 1) const uint kChoice = kChooseOnly;
 // The plan's most views: a constant, so that a plan of one is read at a constant place, which is cheap everywhere.
@@ -65,6 +66,8 @@ Choice chooseView(ViewSample s) {
     uint tile;
     const bool inside = tileAt(light.xy / light.w, plan.lsSquareMin, plan.lsTileSide, plan.tilesPerSide, tile);
     c.view = inside ? plan.viewOfTile[tile] : kNoShadowView;
+  } else if (kChoice == kChooseFace) {
+    c.view = faceOf(light);
   } else if (kChoice != kChooseOnly) {
     const float depth = viewDepth(s.wsPosition, kChoice == kChooseRadius);
     c.view = partitionAt(depth);
@@ -77,7 +80,7 @@ Choice chooseView(ViewSample s) {
     }
     if (kChoice == kChooseTightest) c.view = tightest(light, c.view);
   }
-  if (c.view != kNoShadowView && !covers(c.view, light)) c.view = kNoShadowView;
+  if (c.view != kNoShadowView && !covers(c.view, inViewSpace(c.view, light))) c.view = kNoShadowView;
   return c;
 }
 

@@ -8,6 +8,7 @@
 #define SUNDIAL_FOOTPRINT_GLSL
 #include "bindings.glsl"
 #include "view_depth.glsl"
+#include "view_space.glsl"
 
 // An ellipse in the map, texels.
 struct Footprint {
@@ -23,11 +24,11 @@ mat2 texelsFromPixels(uint view, ViewSample s) {
   const float facing = dot(s.wsNormal, ray);
   const float away = abs(facing) > 1e-6 ? facing : -1e-6;
   const vec3 steps[2] = {frame.wsRayPerPixelX, frame.wsRayPerPixelY};
-  const vec4 light = plan.lightFromWorld * vec4(s.wsPosition, 1);
+  const vec4 light = pointInView(view, s.wsPosition);
   mat2 m;
   for (int i = 0; i < 2; ++i) {
     const vec3 wsStep = depth * (steps[i] - dot(s.wsNormal, steps[i]) / away * ray);
-    const vec4 lightStep = plan.lightFromWorld * vec4(wsStep, 0);
+    const vec4 lightStep = directionInView(view, wsStep);
     const vec2 lsStep = (lightStep.xy - light.xy / light.w * lightStep.w) / light.w;
     m[i] = clamp(lsStep / lsSize, -1, 1) * vec2(plan.views[view].rectSize) * vec2(1, -1);  // rows run down
   }

@@ -3,6 +3,7 @@
 #define SUNDIAL_MAP_TRIANGLE_GLSL
 #include "raster_triangle_id.glsl"
 #include "shared/triangle_texel.h"
+#include "view_space.glsl"
 
 // `place` is where on the map its plane's depth is asked for; `owner` becomes its instance and index. A corner behind a
 // spot light moves along an edge to just before it.
@@ -32,7 +33,7 @@ MapTriangle mapTriangle(uint view, uint id, vec2 place, out uvec2 owner) {
   // By its plane, as the receiver's (receiver.glsl): a corner far away would make a coarse starting point.
   const vec3 lsMin = plan.views[view].lsMin, lsSize = plan.views[view].lsMax - lsMin;
   const vec3 normal = cross(normalize(ws[1] - ws[0]), normalize(ws[2] - ws[0]));
-  const vec4 plane = vec4(normal, -dot(normal, ws[0])) * plan.worldFromLight;
+  const vec4 plane = planeInView(view, normal, ws[0]);
   const vec2 ls = lsMin.xy + vec2(place.x, 1 - place.y) * lsSize.xy;  // rows run down
   const bool hasSlope = plane.z != 0;
   m.slope = hasSlope ? -plane.xy / plane.z * lsSize.xy * vec2(1, -1) / lsSize.z : vec2(0);

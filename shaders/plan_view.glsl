@@ -1,7 +1,7 @@
 // How a box of light space becomes a shadow view: what every partition ends with.
 #ifndef SUNDIAL_PLAN_VIEW_GLSL
 #define SUNDIAL_PLAN_VIEW_GLSL
-#include "bindings.glsl"
+#include "light.glsl"
 #include "ordered.glsl"
 
 // In light space after division.
@@ -39,12 +39,15 @@ LightBox withCasters(LightBox box) {
   return withReach(box);
 }
 
-// A texel of border, so that a sample on the rim has a whole texel.
-LightBox withBorder(LightBox box, uvec2 texels) {
+// With texels of border on each side, one so that a sample on the rim has a whole texel.
+LightBox withBorder(LightBox box, uvec2 texels, float border) {
   const vec2 size = vec2(texels);
-  const vec2 centre = 0.5 * (box.low.xy + box.high.xy), half_ = 0.5 * (box.high.xy - box.low.xy) * size / (size - 2);
+  const vec2 half_ = 0.5 * (box.high.xy - box.low.xy) * size / (size - 2 * border);
+  const vec2 centre = 0.5 * (box.low.xy + box.high.xy);
   return LightBox(vec3(centre - half_, box.low.z), vec3(centre + half_, box.high.z));
 }
+
+LightBox withBorder(LightBox box, uvec2 texels) { return withBorder(box, texels, 1); }
 
 // Some extent, so that a flat volume has any.
 LightBox withExtent(LightBox box) {
@@ -59,7 +62,7 @@ LightBox withExtent(LightBox box) {
 void writeView(uint view, LightBox box, mat4 lightFromWorld, uvec2 texels) {
   const bool empty = isEmpty(box);
   if (empty) box = LightBox(vec3(-1), vec3(1));
-  if (frame.lightKind == kLightSpot) box.low.z = max(box.low.z, 0);
+  if (!lightIsFar()) box.low.z = max(box.low.z, 0);
   const vec3 centre = 0.5 * (box.low + box.high), half_ = 0.5 * (box.high - box.low);
   const float farZ = box.low.z, nearZ = box.high.z;
 
@@ -76,8 +79,8 @@ void writeView(uint view, LightBox box, mat4 lightFromWorld, uvec2 texels) {
   plan.views[view].lsMax = box.high;
   plan.views[view].rectSize = texels;
   plan.views[view].texelSize = 2 * half_.xy / vec2(texels);
-  plan.views[view].nearDistance = frame.lightKind == kLightSpot ? 1 / nearZ : -nearZ;
-  plan.views[view].farDistance = frame.lightKind == kLightSpot ? 1 / max(farZ, 1e-30) : -farZ;
+  plan.views[view].nearDistance = lightIsFar() ? -nearZ : 1 / nearZ;
+  plan.views[view].farDistance = lightIsFar() ? -farZ : 1 / max(farZ, 1e-30);
   plan.views[view].empty = empty ? 1 : 0;
 }
 

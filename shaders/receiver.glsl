@@ -8,6 +8,7 @@
 #ifndef SUNDIAL_RECEIVER_GLSL
 #define SUNDIAL_RECEIVER_GLSL
 #include "light.glsl"
+#include "view_space.glsl"
 #include "warp.glsl"
 
 struct Receiver {
@@ -27,23 +28,22 @@ Receiver receiverIn(uint view, ViewSample s) {
   const vec2 texelsPerLight = rect / (lsMax.xy - lsMin.xy) * vec2(1, -1);  // rows run down
   const float depthPerLight = 1 / (lsMax.z - lsMin.z);
 
-  const vec4 light = plan.lightFromWorld * vec4(s.wsPosition, 1);
+  const vec4 light = pointInView(view, s.wsPosition);
   const vec3 ls = light.xyz / light.w;
   Receiver r;
   r.viewSample = s;
   r.unwarped = (ls.xy - vec2(lsMin.x, lsMax.y)) * texelsPerLight;
   r.texel = kWarp == kWarpNone ? r.unwarped : warpedPosition(r.unwarped);
 
-  // Planes transform by the inverse transposed; in homogeneous coordinates that holds for a perspective light too.
-  const vec4 plane = vec4(s.wsNormal, -dot(s.wsNormal, s.wsPosition)) * plan.worldFromLight;
+  const vec4 plane = planeInView(view, s.wsNormal, s.wsPosition);
   // A plane that contains the light's ray has no slope to follow; it isn't lit either.
   r.depthPerTexel = plane.z != 0 ? -plane.xy / plane.z / texelsPerLight * depthPerLight : vec2(0);
 
   const vec3 toLight = towardsLight(s.wsPosition);
-  const vec4 towards = plan.lightFromWorld * vec4(toLight, 0);
+  const vec4 towards = directionInView(view, toLight);
   const float depthPerMetre = (towards.z - ls.z * towards.w) / light.w * depthPerLight;
   const vec2 texelSize = plan.views[view].texelSize / (kWarp == kWarpNone ? vec2(1) : warpStretch(r.unwarped));
-  const float texelMetres = (kWarp == kWarpNone ? max(texelSize.x, texelSize.y) : sqrt(texelSize.x * texelSize.y)) * (frame.lightKind == kLightSpot ? light.w : 1.0);
+  const float texelMetres = (kWarp == kWarpNone ? max(texelSize.x, texelSize.y) : sqrt(texelSize.x * texelSize.y)) * (lightIsFar() ? 1.0 : light.w);
   // A face that looks into the light meets its neighbours' texels with half of the error of one at 45 degrees.
   const float cosine = dot(s.wsNormal, toLight), sine = sqrt(max(1 - cosine * cosine, 0));
   const float biasTexels = frame.biasTexels * (0.5 + 0.5 * min(sine / cosine, 1));

@@ -35,15 +35,14 @@ bool isHit(ViewSample s, StoredTriangle t) {
   const vec3 a = placed(place, vertexPosition(triangle.vertices[0])) - s.wsPosition;
   const vec3 b = placed(place, vertexPosition(triangle.vertices[1])) - s.wsPosition;
   const vec3 c = placed(place, vertexPosition(triangle.vertices[2])) - s.wsPosition;
-  const bool spot = frame.lightKind == kLightSpot;
-  const vec3 toLight = spot ? frame.wsLightPosition - s.wsPosition : -frame.wsLightDirection;
+  const vec3 toLight = wayToLight(s.wsPosition);
   // The ray lies on the inner side of the three planes through the sample and an edge.
   const vec3 volumes = vec3(dot(toLight, cross(b, c)), dot(toLight, cross(c, a)), dot(toLight, cross(a, b)));
   const bool inside = all(greaterThanEqual(volumes, vec3(0))) || all(lessThanEqual(volumes, vec3(0)));
   const vec3 normal = cross(b - a, c - a);
   const float along = dot(normal, toLight);
   const float steps = dot(normal, a) / along;  // of toLight
-  if (!inside || along == 0 || steps * length(toLight) <= frame.biasWorld || (spot && steps >= 1)) return false;
+  if (!inside || along == 0 || steps * length(toLight) <= frame.biasWorld || (!lightIsFar() && steps >= 1)) return false;
   return !isHoleAt(triangle, volumes / (volumes.x + volumes.y + volumes.z));
 }
 

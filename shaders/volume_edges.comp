@@ -27,7 +27,6 @@ void main() {
   const vec4 light = meshLight(place);
   const mat4 rows = transpose(frame.clipFromWorld);
   const uvec2 range = texelFetch(clusterEdgeTexels, int(draw.cluster)).xy;
-  const uint perEdge = lightIsFar() ? 3 : 9;
   for (uint i = range.x; i < range.x + range.y; ++i) {
     const uvec4 edge = texelFetch(edgeTexels, int(i));
     int multiplicity = 0;
@@ -37,10 +36,8 @@ void main() {
     }
     if (multiplicity == 0) continue;
     const vec3 from = placed(place, vertexPosition(edge.x)), to = placed(place, vertexPosition(edge.y));
-    if (lightIsFar() &&
-        isOutside(rows, vec4(volumeStart(from), 1), vec4(volumeStart(to), 1), volumeEnd(from), volumeEnd(from)))
-      continue;
-    const uint at = atomicAdd(silhouette.draw.vertexCount, perEdge) / perEdge;
+    if (isOutside(rows, vec4(volumeStart(from), 1), vec4(volumeStart(to), 1), volumeEnd(from), volumeEnd(to))) continue;
+    const uint at = atomicAdd(silhouette.draw.vertexCount, cornersPerEdge()) / cornersPerEdge();
     silhouette.edges[at] = SilhouetteEdge(edge.x, edge.y, draw.instance, multiplicity);
   }
 }

@@ -1,13 +1,13 @@
 // What the passes of shadow volumes agree on: which way a triangle faces, and where its volume begins.
 //
-// A triangle's volume is all that it hides from the light: the prism (in a spot's or point's light, the pyramid's
+// A triangle's volume is all that it hides from the light: the prism (in a spot's or a point's light, the pyramid's
 // stump) that begins at it and never ends. It is counted whichever side of the triangle is lit, so a point is in as
 // many volumes as triangles lie between it and the light, and every polygon soup casts right shadows. Sides that two
 // volumes share cancel; what remains are the edges of the silhouette, as often as volumes on both sides differ
 // [Aldridge and Woods 2004, "Robust, geometry-independent shadow volumes"].
 #ifndef SUNDIAL_VOLUMES_GLSL
 #define SUNDIAL_VOLUMES_GLSL
-#include "bindings.glsl"
+#include "light.glsl"
 #include "shared/volumes.h"
 
 layout(set = 0, binding = kBindSilhouette, scalar) buffer SilhouetteBlock {
@@ -15,7 +15,8 @@ layout(set = 0, binding = kBindSilhouette, scalar) buffer SilhouetteBlock {
   SilhouetteEdge edges[];
 } silhouette;
 
-bool lightIsFar() { return frame.lightKind == kLightDirectional; }
+// Corners of the triangles that a silhouette's edge is drawn as (volume_side.vert).
+uint cornersPerEdge() { return lightIsFar() ? 3 : 6; }
 
 // The light in a mesh's own space: a direction towards it (w = 0), or its place (w = 1). The sign of xyz is that of
 // the world's: a mirrored mesh turns its triangles around.
@@ -42,12 +43,11 @@ int facing(uint triangle, vec4 light) {
 
 // A triangle hides nothing that is nearer to it than the reference looks: volumes begin that much farther away.
 vec3 volumeStart(vec3 ws) {
-  const vec3 away = lightIsFar() ? frame.wsLightDirection : normalize(ws - frame.wsLightPosition);
-  return ws + frame.biasWorld * away;
+  return ws - frame.biasWorld * towardsLight(ws);
 }
 
 // Where the light's ray through a point ends.
-vec4 volumeEnd(vec3 ws) { return vec4(lightIsFar() ? frame.wsLightDirection : ws - frame.wsLightPosition, 0); }
+vec4 volumeEnd(vec3 ws) { return vec4(-wayToLight(ws), 0); }
 
 // What a fragment of a volume's surface needs to know.
 struct Face {

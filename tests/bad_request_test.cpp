@@ -97,8 +97,22 @@ TEST_F(BadRequest, ConesOutsideTheRangeAreNamed) {
                   {"light", "cone", "(0, 170] degrees"});
 }
 
-TEST_F(BadRequest, PointLightsAreRefusedWithAWayOut) {
-  expectRefused([](RenderJob& job) { job.light.kind = LightKind::point; }, {"light", "point", "--spot"});
+TEST_F(BadRequest, MethodsThatLookOneWayAreRefusedAroundAPointLightAndCubesElsewhere) {
+  for (const char* text : {"csm", "sdsm-log", "iasm", "evsm", "rtw"})
+    expectRefused(
+        [&](RenderJob& job) {
+          job.light = point({1, 4, 1});
+          job.methods = {method(text)};
+        },
+        {text, "partition="});
+  expectRefused([](RenderJob& job) { job.methods = {method("sm,partition=cube")}; },
+                {"sm", "partition=cube", "point light", "partition=single"});
+  expectRefused(
+      [](RenderJob& job) {
+        job.light = point({1, 4, 1});
+        job.baseline = method("csm");
+      },
+      {"baseline", "csm", "partition=manual"});
 }
 
 TEST_F(BadRequest, VectorsOfAnyLengthGiveTheSamePictureAsUnitVectors) {
@@ -148,6 +162,13 @@ TEST_F(BadRequest, WhatIsStrangeButAllowedRendersFiniteMeasures) {
            [](RenderJob& job) {
              job.light = spot({0, -1e6, 0}, {0, -2e6, 0}, 90);
            },
+           [](RenderJob& job) {
+             job.light = {.kind = LightKind::point, .direction = {0, 0, 0}, .position = {0, 0, 0}};
+           },  // in the ground
+           [](RenderJob& job) {
+             job.light = point({0, -1e6, 0});
+           },
+           [](RenderJob& job) { job.light = point(job.view.eye); },
            [](RenderJob& job) {
              job.light.direction = {1, 0, 0};
            },  // along the ground

@@ -3,30 +3,10 @@
 #include <random>
 
 #include "support/rendering.h"
-#include "support/tiny_scene.h"
+#include "support/soups.h"
 
 namespace sundial::test {
 namespace {
-
-// Grey, two-sided meshes of loose triangles.
-class Soups {
- public:
-  std::uint32_t addMesh(const Soup& soup) {
-    Primitive primitive{
-        .positions = soup.positions, .uvs = {}, .colours = {}, .indices = {}, .material = grey_};
-    for (std::uint32_t i = 0; i < soup.positions.size(); ++i) primitive.indices.push_back(i);
-    return builder_.addMesh("soup", {primitive});
-  }
-  void addInstance(std::uint32_t mesh, const glm::dmat4& place = glm::dmat4(1)) {
-    builder_.addInstance("soup", mesh, place);
-  }
-  std::shared_ptr<const Scene> finish() { return sharedScene(std::move(builder_).finish()); }
-
- private:
-  SceneBuilder builder_{"soups"};
-  std::uint32_t grey_ = builder_.addMaterial(
-      {.name = "grey", .gpu = {glm::vec4(1), 0, shared::kNoTexture, 0, 0}, .doubleSided = true});
-};
 
 class FrameVolumes : public RendererTest {
  protected:
@@ -55,7 +35,10 @@ TEST_F(FrameVolumes, AgreeWithShadowRays) {
                                           {"knot?along=40", "main", "sun"},
                                           {"knot?along=40", "close", "spot"},
                                           {"knot?along=40", "shadow", "low"},
-                                          {"village", "lane", "low"}}) {
+                                          {"village", "lane", "low"},
+                                          {"grid", "low", "lamp"},
+                                          {"observatory", "main", "lamp"},
+                                          {"observatory", "floor", "spot"}}) {
     SCOPED_TRACE(fmt::format("{} {} {}", name, view, light));
     const auto scene = builtin(name);
     const Agreement a = agreement(scene, viewOf(*scene, view), lightOf(*scene, light));
@@ -88,7 +71,8 @@ TEST_F(FrameVolumes, PolygonSoupsCastTheirShadows) {
   scene.addInstance(mesh, mirrored);
   scene.addInstance(scene.addMesh(quad({-8, 0, -8}, {0, 0, 16}, {16, 0, 0})));
   const auto finished = scene.finish();
-  for (const Light& light : {sun(50, 30), sun(20, 200), spot({1, 7, 2}, {0, 0, 0}, 100)}) {
+  for (const Light& light : {sun(50, 30), sun(20, 200), spot({1, 7, 2}, {0, 0, 0}, 100), point({1, 7, 2}),
+                             point({0.5, 2.1, -0.3})}) {
     const Agreement a = agreement(finished, kAbove, light);
     EXPECT_LE(a.wrong, (a.lit + a.dark) / 10'000);
     EXPECT_GT(a.dark, 1000u);
@@ -120,11 +104,34 @@ TEST_F(FrameVolumes, ACameraInAShadowSeesTheSame) {
   scene.addInstance(scene.addMesh(sphere(12)));
   const auto finished = scene.finish();
   const View below{.eye = {0, 2, 1}, .target = {0, 0, -2}, .verticalFovDegrees = 80};
-  for (const Light& light : {sun(85, 10), spot({0, 9, 0}, {0, 0, 0}, 90)}) {
+  for (const Light& light : {sun(85, 10), spot({0, 9, 0}, {0, 0, 0}, 90), point({0, 9, 0})}) {
     const Agreement a = agreement(finished, below, light);
     EXPECT_EQ(a.wrong, 0u);
     EXPECT_GT(a.dark, 3000u);
     EXPECT_GT(a.lit, 300u);
+  }
+}
+
+// Whatever lies above, behind or beside a light ends its rays: volumes that a camera which looks the same way
+// is in at infinity.
+TEST_F(FrameVolumes, ALampInAClosedRoomLightsItAndCastsShadows) {
+  Soups scene;
+  scene.addInstance(scene.addMesh(room(3)));
+  const std::uint32_t ball = scene.addMesh(sphere(8));
+  for (const glm::dvec3& at :
+       {glm::dvec3(1.5, 0, 0.3), glm::dvec3(-1, 1.2, -1), glm::dvec3(0.1, -1.4, 1.1)}) {
+    glm::dmat4 place(0.4);
+    place[3] = glm::dvec4(at, 1);
+    scene.addInstance(ball, place);
+  }
+  const auto finished = scene.finish();
+  for (const glm::dvec3& eye :
+       {glm::dvec3(2.5, 1, 2.5), glm::dvec3(-2.6, -2, 2.2), glm::dvec3(0.2, 2.7, -2.5)}) {
+    const Agreement a = agreement(finished, {.eye = eye, .target = {0, 0, 0.1}, .verticalFovDegrees = 95},
+                                  point({0.2, 0.1, -0.2}));
+    EXPECT_LE(a.wrong, (a.lit + a.dark) / 10'000);
+    EXPECT_GT(a.dark, 2000u);
+    EXPECT_GT(a.lit, 30000u);
   }
 }
 

@@ -71,7 +71,7 @@ std::string planTables(const Comparison& comparison) {
                         plan.views_size() > 1 && plan.views_size() <= 8 ? " open" : "", inlineMark(i),
                         escaped(comparison.labels[i]),
                         plan.views_size() == 1 ? "one view" : fmt::format("{} views", plan.views_size()),
-                        planTable(plan, !comparison.report.light().has_spot()));
+                        planTable(plan, comparison.report.light().has_sun()));
   }
   return html;
 }

@@ -97,13 +97,15 @@ LightSpace directionalSpace(const Scene& scene, const dvec3& along, const dvec3&
   return *best;
 }
 
-LightSpace spotSpace(const Scene& scene, const Light& light, const dvec3& along, const dvec3& origin) {
+// Of a light at a place, about an axis.
+dmat4 placedSpace(const dvec3& from, const dvec3& along) {
   const Basis axes = basisOf(along, std::abs(along.y) < 0.999 ? dvec3(0, 1, 0) : dvec3(0, 0, -1));
-  const dvec3 from = light.position - origin;
-  LightSpace space{
-      fromRows(dvec4(axes.right, -glm::dot(axes.right, from)), dvec4(axes.up, -glm::dot(axes.up, from)),
-               {0, 0, 0, 1}, dvec4(along, -glm::dot(along, from))),
-      {dvec3(kInfinity), dvec3(-kInfinity)}};
+  return fromRows(dvec4(axes.right, -glm::dot(axes.right, from)), dvec4(axes.up, -glm::dot(axes.up, from)),
+                  {0, 0, 0, 1}, dvec4(along, -glm::dot(along, from)));
+}
+
+LightSpace spotSpace(const Scene& scene, const Light& light, const dvec3& along, const dvec3& origin) {
+  LightSpace space{placedSpace(light.position - origin, along), {dvec3(kInfinity), dvec3(-kInfinity)}};
   bool behind = false;
   eachCorner(scene, space.lightFromWorld, origin, [&](const dvec4& p) {
     behind = behind || p.w <= 0;
@@ -120,10 +122,33 @@ LightSpace spotSpace(const Scene& scene, const Light& light, const dvec3& along,
   return space;
 }
 
+// A point light's axis, about which its light space lies: any would do.
+dvec3 axisOf(const Light& light) {
+  return light.kind == LightKind::point ? dvec3(0, -1, 0) : glm::normalize(light.direction);
+}
+
 LightSpace lightSpace(const Scene& scene, const Light& light, const dvec3& origin) {
-  const dvec3 along = glm::normalize(light.direction);
-  return light.kind == LightKind::spot ? spotSpace(scene, light, along, origin)
-                                       : directionalSpace(scene, along, origin);
+  switch (light.kind) {
+    case LightKind::directional:
+      return directionalSpace(scene, axisOf(light), origin);
+    case LightKind::spot:
+      return spotSpace(scene, light, axisOf(light), origin);
+    case LightKind::point:
+      break;  // a box of its own has each of the cube's faces
+  }
+  return {placedSpace(light.position - origin, axisOf(light)), {dvec3(1), dvec3(-1)}};
+}
+
+std::uint32_t sharedKind(LightKind kind) {
+  switch (kind) {
+    case LightKind::directional:
+      return shared::kLightDirectional;
+    case LightKind::spot:
+      return shared::kLightSpot;
+    case LightKind::point:
+      break;
+  }
+  return shared::kLightPoint;
 }
 
 }  // namespace
@@ -156,10 +181,10 @@ shared::FrameConstants frameConstants(const Scene& scene, const View& view, cons
 
   const LightSpace space = lightSpace(scene, light, origin);
   c.lightFromWorld = glm::mat4(space.lightFromWorld);
-  c.lightKind = light.kind == LightKind::spot ? shared::kLightSpot : shared::kLightDirectional;
+  c.lightKind = sharedKind(light.kind);
   c.lightCosCone = static_cast<float>(std::cos(glm::radians(light.coneDegrees) / 2));
-  c.wsLightDirection = glm::normalize(light.direction);
-  c.wsLightPosition = light.kind == LightKind::spot ? light.position - origin : dvec3(0);
+  c.wsLightDirection = axisOf(light);
+  c.wsLightPosition = light.kind == LightKind::directional ? dvec3(0) : light.position - origin;
   c.lsBoundsMin = space.bounds.min;
   c.lsBoundsMax = space.bounds.max;
   double farthest = 2 * nearZ;
@@ -186,9 +211,8 @@ std::optional<std::string> whyInvalid(const View& view) {
 std::optional<std::string> whyInvalid(const Light& light) {
   if (!finite(light.direction) || !finite(light.position))
     return "light: direction and position must be finite";
-  if (light.kind == LightKind::point)
-    return "light: point lights aren't rendered by any method yet: use --sun or --spot";
-  if (!hasDirection(light.direction)) return "light: direction must have a length in [1e-150, 1e150]";
+  if (light.kind != LightKind::point && !hasDirection(light.direction))
+    return "light: direction must have a length in [1e-150, 1e150]";
   if (light.kind == LightKind::spot && !(light.coneDegrees > 0 && light.coneDegrees <= 170))
     return fmt::format("light: cone {} is outside (0, 170] degrees", light.coneDegrees);
   return std::nullopt;

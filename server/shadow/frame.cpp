@@ -3,6 +3,7 @@
 #include <cstring>
 
 #include "gpu/rendering.h"
+#include "shadow/cube_faces.h"
 #include "shadow/minimal_frustum.h"
 #include "shadow/plan_settings.h"
 #include "shared/bindings.h"
@@ -44,7 +45,7 @@ VkDeviceSize pixels(const FrameView& view) {
 Frame::Frame(const FrameView& view, const Method& method, MakeStore* make)
     : view_(view),
       method_(withRaster(method, view.device, view.scene.scene().instancedTriangles())),
-      shadowViews_(shadowViewsOf(method)),
+      shadowViews_(method.row->technique == Technique::shadowVolumes ? 1 : shadowViewsOf(method)),
       pipelines_(method.stages ? std::optional(view.pipelines.of(method_)) : std::nullopt),
       constants_(view.device, sizeof(shared::FrameConstants), VK_BUFFER_USAGE_UNIFORM_BUFFER_BIT | kCopied,
                  MemoryUse::upload),
@@ -61,7 +62,7 @@ Frame::Frame(const FrameView& view, const Method& method, MakeStore* make)
       nearest_(makeSampler(view.device, VK_FILTER_NEAREST)),
       unread_(unreadBuffer(view.device)),
       bindings_(view.device, view.pipelines.layout) {
-  const shared::FrameConstants constants = constantsOf(view, method_);
+  const shared::FrameConstants constants = settledConstants();
   *constants_.mapped<shared::FrameConstants>() = constants;
   if (method.stages) {
     store_ = make(view.device, view.pipelines, method_, constants);
@@ -106,7 +107,24 @@ void Frame::look(const FrameView& view) {
   view_.light = view.light;
   view_.origin = view.origin;
   view_.constants = view.constants;
-  *constants_.mapped<shared::FrameConstants>() = constantsOf(view, method_);
+  *constants_.mapped<shared::FrameConstants>() = settledConstants();
+}
+
+// With what a cube's faces hold of the scene.
+shared::FrameConstants Frame::settledConstants() {
+  shared::FrameConstants c = constantsOf(view_, method_);
+  if (method_.stages && method_.stages->partition == Partition::cube) fitFaces(c, boxes());
+  return c;
+}
+
+std::span<const WorldBox> Frame::boxes() {
+  if (!boxes_.empty() && boxesAt_ == view_.origin) return boxes_;
+  boxes_.clear();
+  boxesAt_ = view_.origin;
+  const std::vector<WorldBox> all = worldBoxes(view_.scene, view_.origin);
+  for (std::size_t i = 0; i < all.size(); ++i)
+    if (view_.scene.draws()[i].instance != shared::kNoInstance) boxes_.push_back(all[i]);
+  return boxes_;
 }
 
 std::vector<Pass> Frame::passes() {
@@ -174,15 +192,11 @@ std::vector<Pass> Frame::passes() {
 
 // What the camera could see, in the light's frustum.
 void Frame::fit() {
-  if (boxes_.empty() || boxesAt_ != view_.origin) {
-    boxes_.clear();
-    boxesAt_ = view_.origin;
-    const std::vector<WorldBox> all = worldBoxes(view_.scene, view_.origin);
-    for (std::size_t i = 0; i < all.size(); ++i)
-      if (view_.scene.draws()[i].instance != shared::kNoInstance) boxes_.push_back(all[i]);
-  }
-  shared::FrameConstants fitted = constantsOf(view_, method_);
-  fitMinimalFrustum(fitted, boxes_);
+  shared::FrameConstants fitted = settledConstants();
+  if (method_.stages->partition == Partition::cube)
+    fitMinimalFaces(fitted, boxes());
+  else
+    fitMinimalFrustum(fitted, boxes());
   *constants_.mapped<shared::FrameConstants>() = fitted;
 }
 
@@ -394,9 +408,26 @@ void Frame::takeVisibility(VkCommandBuffer command) const {
 
 // How many volumes each view sample is in. What the camera sees of the caps is what it sees of the scene.
 void Frame::countVolumes(VkCommandBuffer command) const {
+  const auto drawing = [&](std::uint32_t slot) {
+    return [this, command, slot](VkPipeline caps) { drawSlot(command, slot, caps, caps, false); };
+  };
+  const bool ends = view_.constants.lightKind != shared::kLightDirectional;
+  if (ends) cullFarCaps(command);
   bindings_.bind(command);
-  volumes_->count(command, view_.pipelines.layout.pipeline(),
-                  [&](VkPipeline caps) { drawSlot(command, shared::kCameraSlot, caps, caps, false); });
+  volumes_->count(command, view_.pipelines.layout.pipeline(), drawing(shared::kCameraSlot),
+                  ends ? drawing(1) : ShadowVolumes::DrawScene());
+}
+
+// Far caps lie at infinity: the camera sees those that it would see from the light's place.
+void Frame::cullFarCaps(VkCommandBuffer command) const {
+  shared::Plan plan{.viewCount = 1};
+  const glm::dmat4 clipFromWorld(view_.constants.clipFromWorld);
+  plan.views[0].shadowFromWorld = view_.constants.clipFromWorld;
+  plan.views[0].shadowFromWorld[3] =
+      clipFromWorld * glm::dvec4(-glm::dvec3(view_.constants.wsLightPosition), 0);
+  vkCmdUpdateBuffer(command, plan_, 0, sizeof plan, &plan);
+  barrier(command);
+  cull(command, 1, 1);
 }
 
 void Frame::resolveVolumes(VkCommandBuffer command) const {

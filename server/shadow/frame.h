@@ -76,6 +76,8 @@ class Frame {
   std::uint64_t otherBytes() const;  // the plan, the lists of culling and what analysis needs
 
  private:
+  shared::FrameConstants settledConstants();
+  std::span<const WorldBox> boxes();
   void fit();
   void gbuffer(VkCommandBuffer) const;
   void analyze(VkCommandBuffer) const;
@@ -96,6 +98,7 @@ class Frame {
   void trace() const;
   void takeVisibility(VkCommandBuffer) const;
   void countVolumes(VkCommandBuffer) const;
+  void cullFarCaps(VkCommandBuffer) const;
   void resolveVolumes(VkCommandBuffer) const;
 
   void bindTo(BindingSet&, const ViewTarget& samples) const;
@@ -106,7 +109,7 @@ class Frame {
 
   FrameView view_;
   Method method_;
-  std::uint32_t shadowViews_;                 // the plan's most
+  std::uint32_t shadowViews_;                 // the plan's most; of shadow volumes the one of their far caps
   std::optional<MethodPipelines> pipelines_;  // with a map
   Buffer constants_, analysis_, plan_, commands_, visible_, counts_;
   std::unique_ptr<Store> store_;  // with a map
@@ -116,7 +119,7 @@ class Frame {
   BindingSet bindings_;
   // plan=readback alone: the plan on its way to the host, and what the host leaves of the draws.
   std::optional<Buffer> hostPlan_, hostCommands_, hostCounts_;
-  // focus=calipers alone: the scene's boxes, relative to an origin.
+  // focus=calipers and partition=cube alone: the scene's boxes, relative to an origin.
   std::vector<WorldBox> boxes_;
   glm::dvec3 boxesAt_{0};
   mutable std::optional<glm::dvec3> analysedAt_;  // the origin of the last analysis that was recorded

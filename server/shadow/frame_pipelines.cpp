@@ -86,11 +86,13 @@ Specialization segmentsConstants(const Method& method) {
   const std::uint32_t sizes = sizesOf(method);
   if (stages.partition == Partition::tiles) return {shared::kSegmentTile, sizes};
   if (stages.partition == Partition::single) return {shared::kSegmentAll, sizes};
+  if (stages.partition == Partition::cube) return {shared::kSegmentFace, sizes};
   return {stages.focus == Focus::snapped ? shared::kSegmentRadius : shared::kSegmentDepth, sizes};
 }
 
 std::string_view planShader(Partition partition) {
   if (partition == Partition::tiles) return "plan_tiles.comp";
+  if (partition == Partition::cube) return "plan_cube.comp";
   return partition == Partition::single ? "plan_single.comp" : "plan_splits.comp";
 }
 
@@ -102,7 +104,7 @@ Specialization planConstants(const Method& method) {
             : stages.focus == Focus::depth ? shared::kTileDepth
                                            : shared::kTileBox,
             stages.resolution == Resolution::ranked, sizes};
-  if (stages.partition == Partition::single)
+  if (!cutsDepth(stages.partition))
     return {stages.focus == Focus::calipers    ? shared::kOnlyHosts
             : stages.volume == Volume::samples ? shared::kOnlySamples
                                                : shared::kOnlyScene,
@@ -153,11 +155,19 @@ Specialization lookupConstants(const Method& method) {
   const std::uint32_t choice = [&] {
     if (stages.partition == Partition::tiles) return shared::kChooseTile;
     if (stages.partition == Partition::single) return shared::kChooseOnly;
+    if (stages.partition == Partition::cube) return shared::kChooseFace;
     if (method.settings.choose == Choose::tightest) return shared::kChooseTightest;
     return stages.focus == Focus::snapped ? shared::kChooseRadius : shared::kChooseDepth;
   }();
-  return {storeOf(method),    choice, shadowViewsOf(method), method.settings.blend > 0, 0, 0, 0,
-          warpOf(stages.warp)};
+  return {storeOf(method),
+          choice,
+          shadowViewsOf(method),
+          method.settings.blend > 0,
+          0,
+          0,
+          0,
+          warpOf(stages.warp),
+          stages.partition == Partition::cube};
 }
 
 // Of the resolve pass, whose lookups may have choices of their own.
@@ -300,7 +310,7 @@ VkPipeline FramePipelines::volume(std::string_view vertex) {
                             .fragmentShader = "volume_count.frag",
                             .colourFormats = {VK_FORMAT_R32_SFLOAT},
                             .adds = true};
-  if (vertex == "volume_cap.vert") {
+  if (vertex != "volume_side.vert") {
     info.vertexBindings = SceneBuffers::vertexBindings(false);
     info.vertexAttributes = SceneBuffers::vertexAttributes(true, false);
   }

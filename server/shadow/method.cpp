@@ -35,7 +35,7 @@ Result<Method> chooseMethod(std::string_view name, const std::map<std::string, s
     return fail(ErrorCode::notFound,
                 fmt::format("there is no method \"{}\": choose one of {}", name, fmt::join(names, ", ")));
   }
-  Method method{.row = &*row, .stages = row->stages};
+  Method method{.row = &*row, .wanted = wanted, .stages = row->stages};
   for (const auto& [stage, choice] : wanted)
     if (method.stages) setStage(*method.stages, stage, choice);
 

@@ -52,6 +52,7 @@ enum class Choose { depth, tightest };
 struct Method {
   const MethodRow* row = nullptr;
   std::map<std::string, std::string> parameters;  // every parameter of the row, as text, defaults filled in
+  std::map<std::string, std::string> wanted;      // of them what was asked for
   std::optional<Stages> stages;
   struct Settings {
     bool cull = true;                      // clusters, for each shadow view

@@ -1,12 +1,11 @@
 #include "shadow/minimal_frustum.h"
 
 #include <algorithm>
-#include <array>
 #include <vector>
 
+#include "shadow/box_clip.h"
 #include "shadow/convex_hull.h"
 #include "shadow/plan_settings.h"
-#include "shadow/polytope.h"
 
 namespace sundial {
 
@@ -16,53 +15,6 @@ using glm::dmat4;
 using glm::dvec2;
 using glm::dvec3;
 using glm::dvec4;
-
-// Planes that point inwards.
-using Planes = std::vector<dvec4>;
-
-// The camera's sides, without near and far; and the pyramid of a spot light, from its near plane on.
-Planes planesOf(const shared::FrameConstants& c) {
-  const dmat4 camera = glm::transpose(dmat4(c.clipFromWorld)),
-              light = glm::transpose(dmat4(c.lightFromWorld));
-  Planes planes{camera[3] + camera[0], camera[3] - camera[0], camera[3] + camera[1], camera[3] - camera[1]};
-  if (c.lightKind == shared::kLightDirectional) return planes;
-  for (int axis = 0; axis < 2; ++axis) {
-    planes.push_back(light[axis] - double{c.lsBoundsMin[axis]} * light[3]);
-    planes.push_back(double{c.lsBoundsMax[axis]} * light[3] - light[axis]);
-  }
-  planes.push_back(light[3] - dvec4(0, 0, 0, 1 / c.lsBoundsMax.z));
-  return planes;
-}
-
-enum class Side { inside, across, outside };
-
-Side sideOf(const WorldBox& box, const dvec4& plane) {
-  const double middle = glm::dot(plane, dvec4(dvec3(box.centre), 1));
-  const double reach = glm::dot(glm::abs(dvec3(plane)), dvec3(box.extent));
-  return middle + reach < 0 ? Side::outside : middle - reach < 0 ? Side::across : Side::inside;
-}
-
-dvec3 cornerOf(const WorldBox& box, int i) {
-  return dvec3(box.centre) + dvec3(i & 1 ? 1 : -1, i & 2 ? 1 : -1, i & 4 ? 1 : -1) * dvec3(box.extent);
-}
-
-// Calls `each` with points whose hull holds what of the box the planes leave.
-template <class Function>
-void eachSeenCorner(const WorldBox& box, const Planes& planes, Function each) {
-  Planes across;
-  for (const dvec4& plane : planes) {
-    const Side side = sideOf(box, plane);
-    if (side == Side::outside) return;
-    if (side == Side::across) across.push_back(plane);
-  }
-  if (across.empty()) {
-    for (int i = 0; i < 8; ++i) each(cornerOf(box, i));
-    return;
-  }
-  Polytope seen(dvec3(box.centre - box.extent), dvec3(box.centre + box.extent));
-  for (const dvec4& plane : across) seen.clip(plane);
-  seen.eachCorner(each);
-}
 
 // In light space after division; without bounds beside a spot light.
 struct LightBox {
@@ -80,29 +32,49 @@ LightBox lightBox(const WorldBox& box, const dmat4& lightFromWorld) {
   return out;
 }
 
-}  // namespace
+// The camera's sides, without near and far.
+Planes cameraSides(const shared::FrameConstants& c) {
+  const dmat4 rows = glm::transpose(dmat4(c.clipFromWorld));
+  return {rows[3] + rows[0], rows[3] - rows[0], rows[3] + rows[1], rows[3] - rows[1]};
+}
 
-void fitMinimalFrustum(shared::FrameConstants& c, std::span<const WorldBox> boxes) {
-  const Planes planes = planesOf(c);
-  const dmat4 before(c.lightFromWorld);
+// And the pyramid of a spot light, from its near plane on.
+Planes planesOf(const shared::FrameConstants& c) {
+  Planes planes = cameraSides(c);
+  if (c.lightKind == shared::kLightDirectional) return planes;
+  const dmat4 light = glm::transpose(dmat4(c.lightFromWorld));
+  for (int axis = 0; axis < 2; ++axis) {
+    planes.push_back(light[axis] - double{c.lsBoundsMin[axis]} * light[3]);
+    planes.push_back(double{c.lsBoundsMax[axis]} * light[3] - light[axis]);
+  }
+  planes.push_back(light[3] - dvec4(0, 0, 0, 1 / c.lsBoundsMax.z));
+  return planes;
+}
+
+// What a map holds: a box in light space after division, turned so that `axis` is its x axis. Low above high
+// where nothing is seen.
+struct Fit {
+  dvec2 axis{1, 0};
+  dvec3 low{1}, high{-1};
+};
+
+// Around what of the boxes lies within the planes; as near as one that casts into it.
+Fit fitted(const glm::mat4& lightFromWorld, const Planes& planes, double nearestZ,
+           std::span<const WorldBox> boxes) {
+  const dmat4 before(lightFromWorld);
   std::vector<dvec2> seen;
   double farZ = 1e300;
   for (const WorldBox& box : boxes)
-    eachSeenCorner(box, planes, [&](const dvec3& corner) {
+    eachCornerWithin(box, planes, [&](const dvec3& corner) {
       const dvec4 light = before * dvec4(corner, 1);
       seen.push_back(dvec2(light) / light.w);
       farZ = std::min(farZ, light.z / light.w);
     });
   const Rectangle rectangle = smallestRectangle(convexHull(seen));
-  if (rectangle.empty()) {
-    c.settings.lsFitMin = glm::vec3(1);
-    c.settings.lsFitMax = glm::vec3(-1);
-    return;
-  }
-  turnLightSpace(c, rectangle.axis);
+  if (rectangle.empty()) return {};
 
   // What lies above the rectangle casts into it.
-  const dmat4 turned(c.lightFromWorld);
+  const dmat4 turned(turnedAbout(lightFromWorld, rectangle.axis));
   double nearZ = farZ;
   for (const WorldBox& box : boxes) {
     const LightBox its = lightBox(box, turned);
@@ -110,8 +82,28 @@ void fitMinimalFrustum(shared::FrameConstants& c, std::span<const WorldBox> boxe
                        its.low.y <= rectangle.high.y && its.high.y >= rectangle.low.y;
     if (above) nearZ = std::max(nearZ, its.high.z);
   }
-  c.settings.lsFitMin = glm::vec3(rectangle.low, farZ);
-  c.settings.lsFitMax = glm::vec3(rectangle.high, std::min(nearZ, double{c.lsBoundsMax.z}));
+  return {rectangle.axis, {rectangle.low, farZ}, {rectangle.high, std::min(nearZ, nearestZ)}};
+}
+
+}  // namespace
+
+void fitMinimalFrustum(shared::FrameConstants& c, std::span<const WorldBox> boxes) {
+  const Fit fit = fitted(c.lightFromWorld, planesOf(c), c.lsBoundsMax.z, boxes);
+  turnLightSpace(c, fit.axis);
+  c.settings.lsFitMin = fit.low;
+  c.settings.lsFitMax = fit.high;
+}
+
+void fitMinimalFaces(shared::FrameConstants& c, std::span<const WorldBox> boxes) {
+  for (std::uint32_t face = 0; face < shared::kCubeFaces; ++face) {
+    const glm::mat4 faceFromWorld = shared::faceFromWorld(face, {1, 0}, c.lightFromWorld);
+    Planes planes = cameraSides(c);
+    for (const dvec4& plane : pyramidOf(dmat4(faceFromWorld), 1, c.nearDistance)) planes.push_back(plane);
+    const Fit fit = fitted(faceFromWorld, planes, c.lsFaceMax[face].z, boxes);
+    c.faceTurn[face] = fit.axis;
+    c.lsFaceMin[face] = fit.low;
+    c.lsFaceMax[face] = fit.high;
+  }
 }
 
 }  // namespace sundial

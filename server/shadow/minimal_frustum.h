@@ -15,4 +15,8 @@ namespace sundial {
 // `boxes` are the clusters', relative to the frame's origin.
 void fitMinimalFrustum(shared::FrameConstants&, std::span<const WorldBox> boxes);
 
+// The same for each face of a cube about the light: turns it, and makes of what it holds of the scene
+// (fitFaces()) what the camera could see of that.
+void fitMinimalFaces(shared::FrameConstants&, std::span<const WorldBox> boxes);
+
 }  // namespace sundial

@@ -22,7 +22,7 @@ struct Extent {
 Extent extentOf(const shared::FrameConstants& c) {
   const glm::dvec3 low(c.lsBoundsMin), high(c.lsBoundsMax);
   if (low.x > high.x) return {};
-  if (c.lightKind == shared::kLightSpot) return {1 / high.z, 1 / low.z, 1 / low.z};
+  if (c.lightKind != shared::kLightDirectional) return {1 / high.z, 1 / low.z, 1 / low.z};
   return {-high.z, -low.z, std::max(glm::length(high - low), 1e-6)};
 }
 
@@ -31,16 +31,16 @@ Extent extentOf(const shared::FrameConstants& c) {
 void settleMoments(shared::FrameConstants& c, const Method& method) {
   const Method::Settings& from = method.settings;
   const Extent scene = extentOf(c);
-  const bool spot = c.lightKind == shared::kLightSpot;
+  const bool placed = c.lightKind != shared::kLightDirectional;
   c.moments = {.exponents = {from.exponents.front(), from.exponents.back()},
                .leastDeviation = static_cast<float>(from.leastDeviation.value_or(2e-5 * scene.size)),
                .anisotropy = static_cast<float>(from.anisotropy),
                .bleedReduction = static_cast<float>(from.bleedReduction),
-               .lsBlur = static_cast<float>(from.blur / (spot ? 0.5 * (scene.near + scene.far) : 1))};
+               .lsBlur = static_cast<float>(from.blur / (placed ? 0.5 * (scene.near + scene.far) : 1))};
   // With room behind: where nothing is drawn a map must be farther than all ground whose slope the filter
   // follows there.
   const double far = scene.far + 0.1 * scene.size;
-  c.settings.lsFar = static_cast<float>(spot ? 1 / far : -far);
+  c.settings.lsFar = static_cast<float>(placed ? 1 / far : -far);
   c.settings.lsReach = 0.5f * c.moments.lsBlur;
   c.settings.rimTexels = 1;  // linear filtering's
 }

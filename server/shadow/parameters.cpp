@@ -15,6 +15,8 @@ namespace {
 
 using Kind = Parameter::Kind;
 
+constexpr std::string_view kFaceTexels = "1024";
+
 // A parameter, the stages that read it, and what a value that isn't wrong sets.
 struct Rule {
   Parameter parameter;
@@ -37,7 +39,8 @@ const std::vector<Rule>& rules() {
         .max = 16384,
         .defaultValue = "2048",
         .description =
-            "size of every map: a side, or WIDTHxHEIGHT; resolution=estimated: the most that it may be"},
+            "size of every map: a side, or WIDTHxHEIGHT; of partition=cube 1024 unless it is given; "
+            "resolution=estimated: the most that it may be"},
        [](const Stages& s) { return s.partition != Partition::tiles; },
        [](const std::string& text, Method::Settings& s) {
          const auto [width, height] = sizeIn(text);
@@ -363,6 +366,10 @@ std::vector<Parameter> parametersFor(const MethodRow& row, const std::optional<S
     if (rule.readBy(*stages)) list.push_back(rule.parameter);
   for (Parameter& p : list)
     if (const auto own = row.defaults.find(p.name); own != row.defaults.end()) p.defaultValue = own->second;
+  // Six faces of half the side are one and a half maps.
+  if (stages->partition == Partition::cube)
+    if (const auto texels = std::ranges::find(list, "texels", &Parameter::name); texels != list.end())
+      texels->defaultValue = kFaceTexels;
   for (const std::string_view stage : stageNames())
     if (stageChoices(stage).size() > 1)
       list.push_back({.name = stage,

@@ -37,6 +37,23 @@ glm::vec2 originOnGrid(const shared::FrameConstants& c, const dvec3& origin) {
   return glm::vec2(at - kPeriod * glm::floor(at / kPeriod));
 }
 
+// How many texels beside its own a lookup looks at.
+unsigned lookupReach(const Method& method) {
+  switch (method.stages->lookup) {
+    case Lookup::hard:
+      return 0;
+    case Lookup::pcf:
+      return (method.settings.kernel + 1) / 2;
+    case Lookup::exact3x3:
+    case Lookup::evsm:
+      return 1;
+    case Lookup::rgsm:
+    case Lookup::spsm:
+      break;
+  }
+  return std::max(1u, method.settings.kernel / 2);
+}
+
 // How far the square reaches from the camera in the plane of light space, in shares of its side.
 struct Reach {
   dvec2 before, behind;  // towards greater and towards smaller coordinates
@@ -74,13 +91,20 @@ void settleSquare(shared::FrameConstants& c, const Method::Settings& from) {
 
 }  // namespace
 
+glm::mat4 turnedAbout(const glm::mat4& lightFromWorld, const dvec2& axis) {
+  const dvec2 &x = axis, y(-x.y, x.x);
+  const dmat4 light(lightFromWorld);
+  glm::mat4 turned = lightFromWorld;
+  for (int column = 0; column < 4; ++column) {
+    turned[column].x = static_cast<float>(glm::dot(x, dvec2(light[column])));
+    turned[column].y = static_cast<float>(glm::dot(y, dvec2(light[column])));
+  }
+  return turned;
+}
+
 void turnLightSpace(shared::FrameConstants& c, const dvec2& axis) {
   const dvec2 &x = axis, y(-x.y, x.x);
-  const dmat4 light(c.lightFromWorld);
-  for (int column = 0; column < 4; ++column) {
-    c.lightFromWorld[column].x = static_cast<float>(glm::dot(x, dvec2(light[column])));
-    c.lightFromWorld[column].y = static_cast<float>(glm::dot(y, dvec2(light[column])));
-  }
+  c.lightFromWorld = turnedAbout(c.lightFromWorld, axis);
   // The box around the turned box.
   if (c.lsBoundsMin.x > c.lsBoundsMax.x) return;
   const dvec2 centre = 0.5 * (dvec2(c.lsBoundsMin) + dvec2(c.lsBoundsMax));
@@ -95,6 +119,7 @@ std::uint32_t shadowViewsOf(const Method& method) {
   if (!method.stages) return 0;
   if (method.stages->partition == Partition::tiles)
     return static_cast<std::uint32_t>(method.settings.tileSizes.size());
+  if (method.stages->partition == Partition::cube) return shared::kCubeFaces;
   return method.settings.partitions;
 }
 
@@ -143,6 +168,7 @@ void settle(shared::FrameConstants& c, const Method& method, const dvec3& origin
                        ? static_cast<float>(c.sceneDepth * std::pow((i + 1.0) / from.partitions, 3))
                        : static_cast<float>(from.splits[i]);
 
+  if (stages.partition == Partition::cube) to.rimTexels = static_cast<float>(lookupReach(method));
   to.lsFar = std::numeric_limits<float>::max();
   if (stages.storage == Storage::moments) settleMoments(c, method);
 

@@ -14,6 +14,8 @@ namespace sundial {
 // world.
 void settle(shared::FrameConstants&, const Method&, const glm::dvec3& origin);
 
+// Light space turned about the light: `axis`, a unit vector in it, becomes its x axis.
+glm::mat4 turnedAbout(const glm::mat4& lightFromWorld, const glm::dvec2& axis);
 // Turns light space about the light: `axis`, a unit vector in it, becomes its x axis. The scene's bounds
 // become the box around what they were.
 void turnLightSpace(shared::FrameConstants&, const glm::dvec2& axis);

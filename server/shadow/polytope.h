@@ -15,7 +15,7 @@ class Polytope {
   void clip(const glm::dvec4& plane);
   // Calls `each` with every corner, at least once.
   template <class Function>
-  void eachCorner(Function each) const {
+  void eachCorner(const Function& each) const {
     for (const Face& face : faces_)
       for (const glm::dvec3& corner : face) each(corner);
   }

@@ -71,6 +71,7 @@ ShadowVolumes::ShadowVolumes(const Device& device, FramePipelines& pipelines, co
       findSilhouette_(pipelines.compute("volume_edges.comp", {})),
       sides_(pipelines.volume("volume_side.vert")),
       caps_(pipelines.volume("volume_cap.vert")),
+      ends_(pipelines.volume("volume_end.vert")),
       silhouette_(device, sizeof(shared::SilhouetteDraw) + edges.mostEdges() * sizeof(shared::SilhouetteEdge),
                   VK_BUFFER_USAGE_STORAGE_BUFFER_BIT | VK_BUFFER_USAGE_INDIRECT_BUFFER_BIT),
       counts_(device, {size.x, size.y}, VK_FORMAT_R32_SFLOAT,
@@ -89,8 +90,11 @@ void ShadowVolumes::bindTo(BindingSet& bindings) const {
 }
 
 void ShadowVolumes::count(VkCommandBuffer command, VkPipelineLayout layout,
-                          const std::function<void(VkPipeline)>& drawCaps) const {
-  renderInto(command, {&counts_}, nullptr, [&] { drawCaps(caps_); });
+                          const DrawScene& drawCaps, const DrawScene& drawEnds) const {
+  renderInto(command, {&counts_}, nullptr, [&] {
+    drawCaps(caps_);
+    if (drawEnds) drawEnds(ends_);
+  });
   for (const EdgeBuffers::Batch& batch : edges_.batches()) {
     const shared::SilhouetteDraw none{.instanceCount = 1};
     vkCmdUpdateBuffer(command, silhouette_, 0, sizeof none, &none);

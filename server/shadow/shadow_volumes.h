@@ -41,14 +41,16 @@ class ShadowVolumes {
   ShadowVolumes(const Device&, FramePipelines&, const EdgeBuffers&, glm::uvec2 size);
 
   void bindTo(BindingSet&) const;
-  // Counts into the store's image. The set that bindTo() was called for is bound; `drawCaps` draws the
-  // scene's triangles with the pipeline that it is given.
-  void count(VkCommandBuffer, VkPipelineLayout, const std::function<void(VkPipeline)>& drawCaps) const;
+  // Draws triangles of the scene with the pipeline that it is given.
+  using DrawScene = std::function<void(VkPipeline)>;
+  // Counts into the store's image. The set that bindTo() was called for is bound. `drawCaps` draws what the
+  // camera sees; `drawEnds` what it would see from the light's place, where the light has one.
+  void count(VkCommandBuffer, VkPipelineLayout, const DrawScene& drawCaps, const DrawScene& drawEnds) const;
   std::uint64_t bytes() const { return silhouette_.size() + counts_.bytes(); }
 
  private:
   const EdgeBuffers& edges_;
-  VkPipeline findSilhouette_, sides_, caps_;
+  VkPipeline findSilhouette_, sides_, caps_, ends_;
   Buffer silhouette_;
   GpuImage counts_;  // R32F, a pixel each: integers, exact up to 2^24
   Sampler nearest_;

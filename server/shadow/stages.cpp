@@ -25,8 +25,8 @@ StageText stageText(std::string_view name, std::vector<std::string_view> choices
 const std::array<StageText, 7>& stageTexts() {
   static const std::array<StageText, 7> texts = {
       stageText<&Stages::volume>("volume", {"scene", "frustum", "samples", "inscribed"}),
-      stageText<&Stages::partition>(
-          "partition", {"single", "manual", "uniform", "log", "practical", "adaptive", "kmeans", "tiles"}),
+      stageText<&Stages::partition>("partition", {"single", "manual", "uniform", "log", "practical",
+                                                  "adaptive", "kmeans", "tiles", "cube"}),
       stageText<&Stages::warp>("warp", {"none", "rectilinear", "non-orthogonal"}),
       stageText<&Stages::focus>("focus", {"loose", "depth", "aabb", "aligned", "snapped", "calipers"}),
       stageText<&Stages::resolution>("resolution", {"fixed", "ranked", "listed", "estimated"}),
@@ -68,7 +68,8 @@ bool setStage(Stages& stages, std::string_view stage, std::string_view choice) {
 }
 
 std::optional<std::string> whyImpossible(const Stages& stages) {
-  const bool tiles = stages.partition == Partition::tiles, single = stages.partition == Partition::single;
+  const bool tiles = stages.partition == Partition::tiles, cube = stages.partition == Partition::cube;
+  const bool single = stages.partition == Partition::single || cube;  // a map to each side of the light
   const bool samples = stages.volume == Volume::samples;
   if (tiles != (stages.volume == Volume::inscribed))
     return "partition=tiles cuts the square of volume=inscribed, and nothing else does: use both or neither";
@@ -92,6 +93,14 @@ std::optional<std::string> whyImpossible(const Stages& stages) {
   if (!estimated && tiles != (stages.resolution != Resolution::fixed))
     return "tiles, and nothing else, share out a list of sizes: use partition=tiles with resolution=ranked "
            "or listed";
+  if (cube && stages.focus == Focus::aligned)
+    return "focus=aligned turns a map to the camera's depth, and a cube's faces lie about the light: use "
+           "focus=aabb";
+  if (cube && stages.warp != Warp::none)
+    return "a warp is made for the samples in one map, and partition=cube has six: use warp=none";
+  if (cube && stages.storage == Storage::moments)
+    return "storage=moments is filtered within one map, and shadows would break at the edges of "
+           "partition=cube: use storage=depth with lookup=pcf";
   if (stages.warp != Warp::none) {
     if (!single || !samples)
       return "a warp is made for the samples in one map: use volume=samples with partition=single";

@@ -11,8 +11,9 @@
 namespace sundial {
 
 enum class Volume { scene, frustum, samples, inscribed };  // which part of light space matters
-// How it is cut up: not at all, along the camera's depth by one of six rules, or into tiles of light space.
-enum class Partition { single, manual, uniform, log, practical, adaptive, kmeans, tiles };
+// How it is cut up: not at all, along the camera's depth by one of six rules, into tiles of light space, or
+// into the faces of a cube about a point light.
+enum class Partition { single, manual, uniform, log, practical, adaptive, kmeans, tiles, cube };
 enum class Warp { none, rectilinear, nonOrthogonal };                 // how each part is re-parameterised
 enum class Focus { loose, depth, aabb, aligned, snapped, calipers };  // how tight each part's frustum is
 enum class Resolution { fixed, ranked, listed, estimated };           // how many texels each part gets
@@ -38,7 +39,9 @@ inline bool asksSamples(const Stages& s) {
 inline bool keepsIds(Storage s) { return s == Storage::depthId || s == Storage::triangle; }
 // Lookups that want every triangle in every texel that it touches.
 inline bool asksTriangles(Lookup l) { return l == Lookup::rgsm || l == Lookup::spsm; }
-inline bool cutsDepth(Partition p) { return p != Partition::single && p != Partition::tiles; }
+inline bool cutsDepth(Partition p) {
+  return p != Partition::single && p != Partition::tiles && p != Partition::cube;
+}
 
 // "volume", ... in the order of execution.
 std::vector<std::string_view> stageNames();

@@ -26,7 +26,8 @@ TriangleStore::TriangleStore(const Device& device, FramePipelines& pipelines, co
     : device_(device),
       ids_(device, pipelines, method, constants),
       pack_(pipelines.fullscreen("pack_triangles.frag", VK_FORMAT_R32G32B32A32_UINT,
-                                 {shadowViewsOf(method), reachBeyond(method, constants)})),
+                                 {shadowViewsOf(method), reachBeyond(method, constants), 0, 0, 0, 0, 0, 0,
+                                  method.stages->partition == Partition::cube})),
       nearest_(makeSampler(device, VK_FILTER_NEAREST)) {
   takeRoom();
 }

@@ -11,9 +11,10 @@ SUNDIAL_CONST kCutManual = 0u, kCutUniform = 1u, kCutLog = 2u, kCutPractical = 3
               kCutKmeans = 5u;
 
 // Which part of the plan a view sample belongs to: segments.glsl.
-SUNDIAL_CONST kSegmentAll = 0u, kSegmentDepth = 1u, kSegmentRadius = 2u, kSegmentTile = 3u;
+SUNDIAL_CONST kSegmentAll = 0u, kSegmentDepth = 1u, kSegmentRadius = 2u, kSegmentTile = 3u, kSegmentFace = 4u;
 
-// What the only view's box is: the scene's, the samples', or what the host found: plan_single.comp.
+// What the only view's or a face's box is: the scene's, the samples', or what the host found:
+// plan_single.comp, plan_cube.comp.
 SUNDIAL_CONST kOnlyScene = 0u, kOnlySamples = 1u, kOnlyHosts = 2u;
 
 // What a partition's box is fitted to: plan_splits.comp.
@@ -31,7 +32,8 @@ SUNDIAL_CONST kSizesFixed = 0u, kSizesSmallest = 1u, kSizesPercentile = 2u;
 SUNDIAL_CONST kWarpNone = 0u, kWarpRectilinear = 1u, kWarpNonOrthogonal = 2u;
 
 // Which view answers a sample: choose_view.glsl.
-SUNDIAL_CONST kChooseOnly = 0u, kChooseDepth = 1u, kChooseRadius = 2u, kChooseTightest = 3u, kChooseTile = 4u;
+SUNDIAL_CONST kChooseOnly = 0u, kChooseDepth = 1u, kChooseRadius = 2u, kChooseTightest = 3u, kChooseTile = 4u,
+              kChooseFace = 5u;
 
 // Where maps lie: in an image, or in a linear buffer of depths, or of depths with the triangles that have
 // them: stored_depth.glsl.

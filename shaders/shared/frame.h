@@ -14,6 +14,7 @@ SUNDIAL_SHARED_BEGIN
 
 SUNDIAL_CONST kLightDirectional = 0u;
 SUNDIAL_CONST kLightSpot = 1u;
+SUNDIAL_CONST kLightPoint = 2u;
 
 // storage=moments: moments.glsl.
 struct MomentSettings {
@@ -27,7 +28,8 @@ struct MomentSettings {
 struct FrameConstants {
   mat4 clipFromWorld;  // the camera
   // Light space before division: directional (x, y, height toward the light, 1), metres;
-  // spot (x, y, 1, distance along the axis), so that after division z = 1 / distance.
+  // spot (x, y, 1, distance along the axis), so that after division z = 1 / distance; point: the same about
+  // the first of a cube's faces (cube.h).
   mat4 lightFromWorld;
   vec3 wsEye;
   float nearDistance;
@@ -37,16 +39,21 @@ struct FrameConstants {
   float lightCosCone;     // spot: cosine of the half angle
   vec3 wsRayPerPixelY;    // what one pixel down adds to it
   uint drawCount;         // cluster instances in the scene
-  vec3 wsLightDirection;  // unit; spot: the axis
+  vec3 wsLightDirection;  // unit; spot: the axis; point: along the first of a cube's faces
   float biasTexels;
-  vec3 wsLightPosition;  // spot
+  vec3 wsLightPosition;  // spot, point
   float biasWorld;       // metres
   uvec2 imageSize;       // pixels
   uvec2 storeSize;       // texels of the store's image; a linear buffer counts as one row
   vec3 lsBoundsMin;      // the scene, light space after division
   uint pcfKernel;        // texels a side, odd
   vec3 lsBoundsMax;
-  float sceneDepth;      // the camera's depth of the scene's farthest corner, metres
+  float sceneDepth;  // the camera's depth of the scene's farthest corner, metres
+  // partition=cube: what each face holds of the scene, in the face's light space after division; low above
+  // high where there is nothing. And which way the face's x axis is turned about its middle.
+  vec3 lsFaceMin[kCubeFaces];
+  vec3 lsFaceMax[kCubeFaces];
+  vec2 faceTurn[kCubeFaces];
   uvec2 drawBuckets[6];  // first chunk and number of chunks of each bucket (scene.h: kBuckets)
   PlanSettings settings;
   MomentSettings moments;

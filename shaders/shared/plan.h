@@ -2,6 +2,7 @@
 // streamed to clients as the tile layout. And what it is made from: the method's settings and the analysis.
 #ifndef SUNDIAL_SHARED_PLAN_H
 #define SUNDIAL_SHARED_PLAN_H
+#include "cube.h"
 #include "interop.h"
 
 SUNDIAL_SHARED_BEGIN
@@ -18,9 +19,9 @@ struct ShadowView {
   vec3 lsMax;
   uvec2 rectOffset;  // texels, in the store's image
   uvec2 rectSize;    // texels
-  vec2 texelSize;    // directional: metres; spot: metres at one metre from the light
+  vec2 texelSize;    // directional: metres; spot, point: metres at one metre along the map's axis
   float
-      nearDistance;  // along the light, metres: directional from the light-space origin, spot from the light
+      nearDistance;  // along the light, metres: directional from the light-space origin, else from the light
   float farDistance;
   uint sampleCount;   // view samples that chose this view; 0 where the partition doesn't count
   uint importance;    // summed, in units of PlanSettings::importanceUnit; 0 where nothing ranks by it
@@ -99,8 +100,8 @@ SUNDIAL_CONST kSizeBinsPerOctave = 12u;
 SUNDIAL_CONST kSizeOctavesBelow = 26u;
 
 // What the analysis of the view samples found: floats in an order-preserving code, so that integer atomics
-// reduce them and the result depends on no order. A segment is a partition or a tile; without either there is
-// one.
+// reduce them and the result depends on no order. A segment is a partition, a tile or a cube's face; without
+// any there is one.
 struct Analysis {
   mat4 lightFromWorld;               // FrameConstants' when this was found: the axes of all bounds
   float splits[kMaxPartitions + 1];  // partition i has camera depths from [i] to [i + 1], metres

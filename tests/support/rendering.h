@@ -55,6 +55,7 @@ inline Light spot(const glm::dvec3& from, const glm::dvec3& to, double coneDegre
           .position = from,
           .coneDegrees = coneDegrees};
 }
+inline Light point(const glm::dvec3& from) { return {.kind = LightKind::point, .position = from}; }
 
 inline constexpr std::initializer_list<Aov> kAllImages = {Aov::colour,   Aov::visibility, Aov::reference,
                                                           Aov::position, Aov::normal,     Aov::id,

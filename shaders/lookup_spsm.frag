@@ -13,7 +13,9 @@ layout(constant_id = 5) const bool kRecover = true;
 layout(constant_id = 6) const uint kPositions = 1;  // in a pixel, of those that are uncertain
 
 // How far along the tangent the edge is followed to each side, texels: what is farther away may belong to another edge.
-const float kReach = 0.25;
+const float kReach = 0.1;
+// A sample so far from every occluder that a texel holds, texels, is in a hole: triangles that no texel holds are small.
+const float kGap = 0.3;
 
 struct Around {
   ivec2 centre;
@@ -57,6 +59,19 @@ EdgeFunction edgeOf(Around around, vec2 light) {
   return f;
 }
 
+// From the sample to the nearest triangle that a texel holds and that occludes, texels.
+float distanceToOccluders(Around around) {
+  float least = 1e9;
+  for (uint i = 0; i < 9; ++i) {
+    if ((around.occluders >> i & 1u) == 0) continue;
+    const vec2 offset = (i < 8 ? neighbourAt(i) : vec2(0)) - around.at;
+    for (int k = 0; k < 3; ++k)
+      least = min(least, segmentDistance(around.held[i].t.corners[k] + offset,
+                                         around.held[i].t.corners[(k + 1) % 3] + offset));
+  }
+  return least;
+}
+
 // Share of the positions in the pixel that lie in the shadow of all edges.
 float recovered(uint view, Receiver r, Around around) {
   const uint edges = texelFetch(tableTexels, int(kSlopeCodes + (around.occluders & 0xffu))).x;
@@ -77,6 +92,7 @@ float recovered(uint view, Receiver r, Around around) {
     }
     if (shadowed == 0) return 1;
   }
+  if (distanceToOccluders(around) > kGap) return 1;
   return 1 - float(bitCount(shadowed)) / float(kPositions);
 }
 

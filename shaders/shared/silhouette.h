@@ -41,6 +41,14 @@ SUNDIAL_FUNCTION vec2 clippedToBox(vec2 from, vec2 to, vec2 halfSide) {
   return part;
 }
 
+// Distance of a segment from the origin.
+SUNDIAL_FUNCTION float segmentDistance(vec2 from, vec2 to) {
+  const vec2 along = to - from;
+  const float share = clamp(-dot(from, along) / max(dot(along, along), 1e-12f), 0.0f, 1.0f);
+  const vec2 nearest = from + share * along;
+  return sqrt(dot(nearest, nearest));
+}
+
 // Where in its texel the triangle is nearest to the light, "consistently": not beyond its own edges. The
 // texel's corner in the direction in which its plane comes nearer, if it covers that corner. Or else on an
 // edge that keeps it from there, told by a negative barycentric coordinate of that corner, as far towards the

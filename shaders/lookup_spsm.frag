@@ -13,7 +13,7 @@ layout(constant_id = 5) const bool kRecover = true;
 layout(constant_id = 6) const uint kPositions = 1;  // in a pixel, of those that are uncertain
 
 // How far along the tangent the edge is followed to each side, texels: what is farther away may belong to another edge.
-const float kReach = 0.1;
+const float kReach = 0.25;
 // A sample so far from every occluder that a texel holds, texels, is in a hole: triangles that no texel holds are small.
 const float kGap = 0.3;
 
@@ -59,17 +59,22 @@ EdgeFunction edgeOf(Around around, vec2 light) {
   return f;
 }
 
-// From the sample to the nearest triangle that a texel holds and that occludes, texels.
-float distanceToOccluders(Around around) {
+// From a place, counted from the sample, to the nearest triangle that a texel holds and that occludes, texels.
+float distanceToOccluders(Around around, vec2 place) {
   float least = 1e9;
   for (uint i = 0; i < 9; ++i) {
     if ((around.occluders >> i & 1u) == 0) continue;
-    const vec2 offset = (i < 8 ? neighbourAt(i) : vec2(0)) - around.at;
+    const vec2 offset = (i < 8 ? neighbourAt(i) : vec2(0)) - around.at - place;
     for (int k = 0; k < 3; ++k)
       least = min(least, segmentDistance(around.held[i].t.corners[k] + offset,
                                          around.held[i].t.corners[(k + 1) % 3] + offset));
   }
   return least;
+}
+
+// From the pixel's middle. A place on each row and column: as rooks that don't threaten each other.
+vec2 placeInPixel(uint i) {
+  return (vec2(float(i), float((i * 2 + i * 2 / kPositions) % kPositions)) + 0.5) / float(kPositions) - 0.5;
 }
 
 // Share of the positions in the pixel that lie in the shadow of all edges.
@@ -85,14 +90,13 @@ float recovered(uint view, Receiver r, Around around) {
     const EdgeFunction f = edgeOf(around, light);
     if (!f.hasLeft || !f.hasRight) return 1;
     for (uint i = 0; i < kPositions; ++i) {
-      // A sample on each row and column: as rooks that don't threaten each other.
-      const vec2 inPixel = (vec2(float(i), float((i * 2 + i * 2 / kPositions) % kPositions)) + 0.5) / float(kPositions) - 0.5;
-      const vec2 move = texelsFromPixel * inPixel;
+      const vec2 move = texelsFromPixel * placeInPixel(i);
       if (valueAt(f, dot(move, tangent)) >= -dot(move, light)) shadowed &= ~(1u << i);
     }
     if (shadowed == 0) return 1;
   }
-  if (distanceToOccluders(around) > kGap) return 1;
+  for (uint i = 0; i < kPositions; ++i)
+    if (distanceToOccluders(around, texelsFromPixel * placeInPixel(i)) > kGap) shadowed &= ~(1u << i);
   return 1 - float(bitCount(shadowed)) / float(kPositions);
 }
 

@@ -201,6 +201,17 @@ TEST_F(FrameCube, FacesThatNoSampleFallsOnAreEmpty) {
   EXPECT_EQ(empty(render(scene, view, point({0, 30, 0}), {64, 48}, "sm,texels=64")), 5);
 }
 
+TEST_F(FrameCube, WhoeverKnowsThePlanThePictureIsTheSame) {
+  const auto scene = cage();
+  const View view = viewsAbout().front();
+  const auto visibility = [&](std::string_view text) {
+    return render(scene, view, point(kLamp), {160, 120}, text).images.at(Aov::visibility).bytes;
+  };
+  for (const std::string name : {"dv,texels=128", "ferko,texels=128", "msf,texels=128", "spsm,texels=128"})
+    EXPECT_TRUE(visibility(name) == visibility(name + ",plan=readback")) << name;
+  EXPECT_TRUE(visibility("dv,texels=128") == visibility("dv,texels=128,plan=delayed"));
+}
+
 // Pixels of one size on a sphere about light and eye: as many texels as pixels to an angle.
 TEST_F(FrameCube, EstimationGivesEachFaceItsPixels) {
   const auto scene = emptyRoom();

@@ -175,6 +175,27 @@ TEST(LightSpace, MeasuresASpotByTangents) {
   EXPECT_NEAR(glm::distance((*space->outline(view))[0], (*space->outline(view))[1]), 2, 1e-9);
 }
 
+// Faces that look along x and along -x from (0, 10, 0), each with a rim.
+TEST(LightSpace, LaysTheFacesAboutAPointSideBySide) {
+  v1::Light light;
+  light.mutable_point()->mutable_position()->set_y(10);
+  v1::Plan plan;
+  for (const double sign : {1., -1.}) {
+    v1::PlanView& view = *plan.add_views();
+    for (const double value : {0., 0., 0.8 * sign, 0., 0., -0.8, 0., 8., 0., 0., 0., 0.1, sign, 0., 0., 0.})
+      view.add_shadow_from_world(value);
+  }
+  const auto space = page::LightSpace::of(light, plan);
+  ASSERT_TRUE(space);
+  EXPECT_FALSE(space->metres());
+  EXPECT_NEAR(glm::distance(*space->project({4, 10, 2}), {0.5, 0}), 0, 1e-9);
+  EXPECT_NEAR(glm::distance(*space->project({4, 8, 0}), {0, 0.5}), 0, 1e-9);
+  const auto outline = *space->outline(plan.views(1));
+  EXPECT_NEAR(glm::distance(*space->project({-4, 10, 0}), 0.5 * (outline[0] + outline[2])), 0, 1e-9);
+  EXPECT_NEAR(glm::distance(outline[0], outline[1]), 2.5, 1e-9);
+  EXPECT_GT(outline[0].x, space->outline(plan.views(0))->at(1).x) << "beside each other";
+}
+
 // From above and aside.
 v1::View camera() {
   v1::View view;

@@ -60,14 +60,19 @@ std::vector<glm::dvec3> samplesOf(const client::MethodRendering& rendering) {
   return samples;
 }
 
-// A line of the world; what of it has no image, behind a spot, is left out.
+// A line of the world; what of it has no image, behind a spot, is left out. It goes on where it comes to
+// another face of a point light.
 std::string path(const Frustum::Line& line, const LightSpace& space, const Fit& fit) {
   constexpr int kSteps = 64;
   constexpr double kFar = 1e5;  // pixels
   std::string data;
   bool drawing = false;
+  std::size_t plane = 0;
   for (int step = 0; step <= kSteps; ++step) {
-    const auto point = space.project(glm::mix(line.first, line.second, step / double{kSteps}));
+    const glm::dvec3 wsPoint = glm::mix(line.first, line.second, step / double{kSteps});
+    const auto point = space.project(wsPoint);
+    drawing = drawing && space.planeAt(wsPoint) == plane;
+    plane = space.planeAt(wsPoint);
     const glm::dvec2 at = point ? fit.at(*point) : glm::dvec2(HUGE_VAL);
     const bool shown = std::abs(at.x) < kFar && std::abs(at.y) < kFar;
     if (shown) data += fmt::format("{}{:.1f},{:.1f}", drawing ? 'L' : 'M', at.x, at.y);

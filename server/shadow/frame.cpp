@@ -113,7 +113,7 @@ void Frame::look(const FrameView& view) {
 // With what a cube's faces hold of the scene.
 shared::FrameConstants Frame::settledConstants() {
   shared::FrameConstants c = constantsOf(view_, method_);
-  if (method_.stages && method_.stages->partition == Partition::cube) fitFaces(c, boxes());
+  if (method_.stages && method_.stages->partition == Partition::cube) fitFaces(c, method_, boxes());
   return c;
 }
 

@@ -89,8 +89,8 @@ void ShadowVolumes::bindTo(BindingSet& bindings) const {
   bindings.set(shared::kBindSilhouette, silhouette_);
 }
 
-void ShadowVolumes::count(VkCommandBuffer command, VkPipelineLayout layout,
-                          const DrawScene& drawCaps, const DrawScene& drawEnds) const {
+void ShadowVolumes::count(VkCommandBuffer command, VkPipelineLayout layout, const DrawScene& drawCaps,
+                          const DrawScene& drawEnds) const {
   renderInto(command, {&counts_}, nullptr, [&] {
     drawCaps(caps_);
     if (drawEnds) drawEnds(ends_);

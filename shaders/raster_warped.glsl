@@ -24,7 +24,7 @@ struct WarpedTriangle {
   vec3 slack;      // a thousandth of a texel, so that neighbours leave no gap
   vec3 depths;     // (a, b, c) of the depth
   vec2 depthRange;
-  mat3 attributes;  // weights of the corners' attributes; of masked triangles
+  mat3 attributes;  // weights of the corners, over w
 };
 
 // The columns of the warped map that a box of the map may reach into: between the least value that any of its rows'
@@ -113,7 +113,7 @@ void keepIfCovered(uint view, uint id, WarpedTriangle t, Corner corners[3], uint
   const vec3 p = vec3(centreOrigin(texel) - t.reference, 1);
   if (any(lessThan(p * t.edges + t.slack, vec3(0)))) return;
   if (kMasked) {
-    const vec3 weights = p * t.attributes;
+    const vec3 perW = p * t.attributes, weights = perW / (perW.x + perW.y + perW.z);
     const vec3 a = weights.x * corners[0].attributes + weights.y * corners[1].attributes + weights.z * corners[2].attributes;
     if (isHole(materials[material], a.xy, vec4(1, 1, 1, a.z))) return;
   }

@@ -1,6 +1,6 @@
 #version 460
 #extension GL_GOOGLE_include_directive : require
-// The warp's functions: running sums of importance, over their last value. A share of each is spread evenly, so that the
+// The warp's functions: running sums of a power of importance, over their last value. A share of each is spread evenly, so that the
 // functions rise everywhere and have an inverse.
 #include "warp.glsl"
 
@@ -8,7 +8,7 @@ layout(local_size_x = 64) in;
 layout(constant_id = 0) const bool kDown = false;
 
 // Of the step from a knot to the next, for a function.
-float importanceOf(uint f, uint k) {
+float gatheredAt(uint f, uint k) {
   const uvec2 size = warpSize();
   if (kWarp == kWarpNonOrthogonal)
     return float(importance[size.x * size.y + (kDown ? k * size.x + f : f * size.x + k)]);
@@ -21,6 +21,11 @@ float importanceOf(uint f, uint k) {
     weights += weight;
   }
   return sum / weights;
+}
+
+float importanceOf(uint f, uint k) {
+  const float gathered = gatheredAt(f, k), power = frame.settings.warpPower;
+  return power == 1 ? gathered : power == 0.5 ? sqrt(gathered) : pow(gathered, power);
 }
 
 void main() {

@@ -1,9 +1,12 @@
 #version 460
 #extension GL_GOOGLE_include_directive : require
-// warp=rectilinear, backward analysis [Rosen 2012, as NOTW section 2.2 describes it]: how important view samples are, and the
-// most of each column and row. Floats of at least 0 are ordered as their bits are.
+// warp=rectilinear, backward and hybrid analysis: how important view samples are. Hybrid: those next to a shadow's edge in the
+// light's map, too.
 #include "analyze.glsl"
+#include "importance.glsl"
 #include "warp_samples.glsl"
+
+layout(constant_id = 1) const bool kHybrid = false;
 
 // A step of depth, as a share of it, to a neighbour on another surface; on a plane the reciprocal of depth has none.
 bool isEdge(ivec2 pixel) {
@@ -19,19 +22,6 @@ bool isEdge(ivec2 pixel) {
   return bend > 0.02 * here;
 }
 
-float importanceOf(ViewSample s, ivec2 pixel) {
-  const vec3 weights = frame.settings.warpWeights;
-  const float depth = max(viewDepth(s.wsPosition, false), frame.nearDistance);
-  float sum = weights.x * min(floatFromOrdered(analysis.depthMin) / depth, 1);
-  if (weights.y > 0) sum += weights.y * abs(dot(s.wsNormal, normalize(frame.wsEye - s.wsPosition)));
-  if (weights.z > 0 && isEdge(pixel)) sum += weights.z;
-  return sum;
-}
-
-void raise(uint at, uint value) {
-  if (importance[at] < value) atomicMax(importance[at], value);
-}
-
 void main() {
   for (uint i = 0; i < kPixelsPerThread; ++i) {
     const uint pixel = firstPixel() + i * 64;
@@ -40,8 +30,13 @@ void main() {
     vec2 p;
     if (!positionOf(s, p)) continue;
     const uvec2 texel = min(uvec2(p), warpSize() - 1);
-    const uint value = floatBitsToUint(importanceOf(s, ivec2(pixel % frame.imageSize.x, pixel / frame.imageSize.x)));
-    raise(texel.x, value);
-    raise(warpSize().x + texel.y, value);
+    vec2 sum = vec2(0);
+    if (weightOf(kNearness) > 0) sum += weightOf(kNearness) * nearness(s.wsPosition);
+    if (weightOf(kFacing) > 0) sum += weightOf(kFacing) * abs(dot(s.wsNormal, normalize(frame.wsEye - s.wsPosition)));
+    if (weightOf(kEdges) > 0 && isEdge(ivec2(pixel % frame.imageSize.x, pixel / frame.imageSize.x)))
+      sum += weightOf(kEdges);
+    if (weightOf(kDensity) > 0) sum += weightOf(kDensity) * density(s.wsPosition, s.wsNormal);
+    if (kHybrid && weightOf(kShadowEdges) > 0 && isShadowEdge(ivec2(texel))) sum += weightOf(kShadowEdges);
+    makeImportant(texel, sum);
   }
 }

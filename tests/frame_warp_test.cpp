@@ -143,7 +143,8 @@ const std::vector<Place> kPlaces = {
 TEST_F(FrameWarp, EveryFunctionRisesFromRimToRimAndTheInverseIsOne) {
   for (const Place& p : kPlaces)
     for (const char* text : {"rtw,texels=200x120", "notw,texels=200x120",
-                             "notw,texels=128,window=1,even=0.05", "rtw,texels=64,weights=1:1:2,window=3"}) {
+                             "notw,texels=128,window=1,even=0.05", "rtw,texels=64,weights=1:1:2:0:1,window=3",
+                             "rtw,texels=64,analysis=forward", "rtw,texels=96x64,analysis=hybrid"}) {
       SCOPED_TRACE(p.scene + " " + text);
       const auto scene = builtin(p.scene);
       const Warped w = warp(scene, viewOf(*scene, p.view), lightOf(*scene, p.light), {300, 200}, text);
@@ -181,7 +182,7 @@ TEST_F(FrameWarp, RunningSumsAreThoseOfAPlainLoop) {
   const auto scene = builtin("atrium");
   for (const unsigned window : {1u, 9u, 33u, 1000u}) {
     const Warped w = warp(scene, viewOf(*scene, "main"), lightOf(*scene, "sun"), {400, 300},
-                          fmt::format("notw,texels=96x64,even=0.25,window={}", window));
+                          fmt::format("notw,texels=96x64,power=1,even=0.25,window={}", window));
     const std::vector<double> counts = countsOf(w.samples, w.size);
     double worst = 0;
     for (int row = 0; row < int(w.size.y); ++row) {
@@ -225,13 +226,71 @@ TEST_F(FrameWarp, SamplesSpreadOverTheTexels) {
     const auto of = [&](std::string_view text) {
       return warp(scene, viewOf(*scene, p.view), lightOf(*scene, p.light), {1024, 1024}, text);
     };
-    const Warped w = of("notw,texels=256,even=0.05,window=5"), mild = of("notw,texels=256");
+    const Warped w = of("notw,texels=256,power=1,even=0.05,window=5"), mild = of("notw,texels=256");
     const double before = variation(countsOf(w.samples, w.size)),
                  after = variation(countsOf(moved(w), w.size));
     const double afterMild = variation(countsOf(moved(mild), w.size));
     EXPECT_LT(after, before / 3) << p.scene;
     EXPECT_LT(afterMild, 0.7 * before) << p.scene;
   }
+}
+
+// Leaves are holes of an alpha-tested material, whose coordinates must be right in a spot light's
+// perspective.
+TEST_F(FrameWarp, AWarpThatMovesNothingAnswersAsNoWarpDoes) {
+  const auto atrium = builtin("atrium");
+  for (const char* light : {"sun", "spot"}) {
+    const auto wrong = [&](std::string_view text) {
+      const Rendering r = render(atrium, viewOf(*atrium, "main"), lightOf(*atrium, light), {400, 300}, text);
+      return 1 - r.result.measures->pixelMatch;
+    };
+    const double plain = wrong("dv,texels=512");
+    EXPECT_NEAR(wrong("rtw,texels=512,even=1"), plain, 0.05 * plain) << light;
+    EXPECT_NEAR(wrong("notw,texels=512,even=1"), plain, 0.05 * plain) << light;
+  }
+}
+
+TEST_F(FrameWarp, WhateverIsAnalysedFewerPixelsAreWrong) {
+  const auto scene = builtin("conference");
+  const auto wrong = [&](std::string_view text) {
+    const Rendering r = render(scene, viewOf(*scene, "main"), lightOf(*scene, "spot"), {512, 512}, text);
+    return 1 - r.result.measures->pixelMatch;
+  };
+  const double plain = wrong("sm,texels=256"), backward = wrong("rtw,texels=256");
+  EXPECT_LT(backward, plain);
+  EXPECT_LT(wrong("rtw,texels=256,analysis=forward"), plain);
+  EXPECT_LT(wrong("rtw,texels=256,analysis=hybrid"), plain);
+  EXPECT_LT(wrong("notw,texels=256"), backward);
+}
+
+// Above the middle of the map hangs a plate; the light's map shows its rim, which a camera that sees the
+// ground on both sides of it can't tell from anything else.
+TEST_F(FrameWarp, OnlyTheLightsMapTellsWhereShadowsEdgesAre) {
+  SceneBuilder builder("plate");
+  builder.addMaterial({.gpu = {glm::vec4(1), 0, shared::kNoTexture, 0, 0}, .doubleSided = true});
+  const auto square = [&](float half, float y) {
+    const auto mesh = builder.addMesh(
+        "square", {{.positions = {{-half, y, -half}, {-half, y, half}, {half, y, half}, {half, y, -half}},
+                    .indices = {0, 1, 2, 0, 2, 3}}});
+    builder.addInstance("square", mesh, glm::dmat4(1));
+  };
+  square(60, 0);
+  square(4, 30);
+  const auto scene = sharedScene(std::move(builder).finish());
+  const View below{
+      .eye = {-20, 20, -20}, .target = {-20, 0, -20}, .up = {0, 0, 1}, .verticalFovDegrees = 110};
+  // How wide the plate's columns become.
+  const auto stretch = [&](std::string_view text) {
+    const Warped w = warp(scene, below, {.direction = {0, -1, 0}}, {256, 256}, text);
+    double most = 0;
+    for (unsigned k = 0; k < w.size.x; ++k)
+      most = std::max(most, double(w.across(0)[k + 1] - w.across(0)[k]));
+    return most;
+  };
+  const char* kEdges = "rtw,texels=128,window=1,weights=0:0:0:1:0.001";
+  const double backward = stretch(kEdges);
+  EXPECT_GT(stretch(fmt::format("{},analysis=forward", kEdges)), 2 * backward);
+  EXPECT_GT(stretch(fmt::format("{},analysis=hybrid", kEdges)), 2 * backward);
 }
 
 TEST_F(FrameWarp, ACurtainOfTwoTrianglesBendsInTheVertexShaderAndNotInTheInverse) {

@@ -147,6 +147,13 @@ std::vector<Pass> Frame::passes() {
 
   const Pass analyze{.name = "analyze", .record = on(&Frame::analyze)};
   const Pass plan{.name = "plan", .record = on(&Frame::plan)};
+  const bool looks =
+      warp_ && method_.stages->warp == Warp::rectilinear && method_.settings.analysis != Analysis::backward;
+  const Pass light = looks ? Pass{.name = "light",
+                                  .record = on(&Frame::drawUnwarped),
+                                  .again = [this] { return storeAgain(); },
+                                  .counted = [this] { return storeWork(); }}
+                           : Pass{};
   const Pass warp = warp_ ? Pass{.name = "warp", .record = on(&Frame::warp)} : Pass{};
   const Pass cull{.name = "cull",
                   .record = [this](VkCommandBuffer command) { this->cull(command, 1, shadowViews_); }};
@@ -162,7 +169,6 @@ std::vector<Pass> Frame::passes() {
         return {gbuffer,
                 analyze,
                 plan,
-                warp,
                 {.name = "readback", .record = on(&Frame::readPlan)},
                 {.name = "cull",
                  .host =
@@ -170,6 +176,8 @@ std::vector<Pass> Frame::passes() {
                        cullByHost();
                        fitStore();
                      }},
+                light,
+                warp,
                 store,
                 filter,
                 resolve,
@@ -177,10 +185,10 @@ std::vector<Pass> Frame::passes() {
       case PlanTiming::delayed:
         // What was analysed lies relative to its origin.
         if (analysedAt_ == view_.origin)
-          return {gbuffer, plan, warp, cull, store, filter, resolve, shade, analyze};
+          return {gbuffer, plan, cull, light, warp, store, filter, resolve, shade, analyze};
         [[fallthrough]];
       case PlanTiming::gpu:
-        return {gbuffer, analyze, plan, warp, cull, store, filter, resolve, shade};
+        return {gbuffer, analyze, plan, cull, light, warp, store, filter, resolve, shade};
     }
     return {};
   }();
@@ -238,7 +246,7 @@ void Frame::analyze(VkCommandBuffer command) const {
       dispatch(command, pipelines_->analyzeDepths, samples);
     dispatch(command, pipelines_->analyzeSplits, 1);
   }
-  if (stages.warp == Warp::rectilinear) dispatch(command, pipelines_->analyzeDepths, samples);
+  if (asksNearness(method_)) dispatch(command, pipelines_->analyzeDepths, samples);
   const bool tiles = stages.partition == Partition::tiles;
   const bool estimated = stages.resolution == Resolution::estimated;
   if (tiles && !method_.settings.extent) dispatch(command, pipelines_->analyzeSquare, samples);
@@ -252,6 +260,13 @@ void Frame::analyze(VkCommandBuffer command) const {
 void Frame::plan(VkCommandBuffer command) const {
   bindings_.bind(command);
   dispatch(command, pipelines_->plan, 1);
+}
+
+// What the light sees, in a map without a warp.
+void Frame::drawUnwarped(VkCommandBuffer command) const {
+  bindings_.bind(command);
+  warp_->recordNone(command);
+  store(command);
 }
 
 // How the maps are re-parameterised.

@@ -82,6 +82,7 @@ class Frame {
   void gbuffer(VkCommandBuffer) const;
   void analyze(VkCommandBuffer) const;
   void plan(VkCommandBuffer) const;
+  void drawUnwarped(VkCommandBuffer) const;
   void warp(VkCommandBuffer) const;
   void cull(VkCommandBuffer, std::uint32_t firstSlot, std::uint32_t slots) const;
   void readPlan(VkCommandBuffer) const;

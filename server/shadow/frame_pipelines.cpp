@@ -228,7 +228,7 @@ MethodPipelines FramePipelines::of(const Method& method) {
     if (stages.volume == Volume::samples)
       made.analyzeDepths = compute("analyze_depths.comp", {histogram, stages.focus == Focus::snapped});
   }
-  if (stages.warp == Warp::rectilinear) made.analyzeDepths = compute("analyze_depths.comp", {false, false});
+  if (asksNearness(method)) made.analyzeDepths = compute("analyze_depths.comp", {false, false});
   if (samples) made.analyzeSegments = compute("analyze_segments.comp", segmentsConstants(method));
   if (stages.partition == Partition::tiles) {
     if (!method.settings.extent) made.analyzeSquare = compute("analyze_square.comp", {});
@@ -280,7 +280,8 @@ VkPipeline FramePipelines::classify(const Method& method) {
                     resolveConstants(method, shared::kAnswerOneTriangle));
 }
 
-WarpPipelines FramePipelines::warp(Warp warp) {
+WarpPipelines FramePipelines::warp(const Method& method) {
+  const Warp warp = method.stages->warp;
   const auto both = [&](std::string_view shader) {
     return std::array{compute(shader, warpConstants(warp, VK_FALSE)),
                       compute(shader, warpConstants(warp, VK_TRUE))};
@@ -288,7 +289,11 @@ WarpPipelines FramePipelines::warp(Warp warp) {
   WarpPipelines made{.functions = both("warp_functions.comp"),
                      .centres = compute("warp_centres.comp", warpConstants(warp))};
   if (warp == Warp::rectilinear) {
-    made.importance = compute("warp_importance.comp", warpConstants(warp));
+    const Analysis analysis = method.settings.analysis;
+    Specialization constants = warpConstants(warp, storeOf(method));
+    constants[1] = analysis == Analysis::hybrid;
+    made.importance =
+        compute(analysis == Analysis::forward ? "warp_forward.comp" : "warp_importance.comp", constants);
   } else {
     made.count = both("warp_count.comp");
     made.pool = both("warp_pool.comp");

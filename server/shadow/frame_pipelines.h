@@ -45,7 +45,7 @@ struct RasterPipelines {
 
 // Of a warp; those of two do the rows and then the columns.
 struct WarpPipelines {
-  VkPipeline importance;                  // rectilinear alone
+  VkPipeline importance;                  // rectilinear alone; of samples, or of the light's map
   std::array<VkPipeline, 2> count, pool;  // non-orthogonal alone
   std::array<VkPipeline, 2> functions;
   VkPipeline bounds, centres;  // bounds: non-orthogonal alone
@@ -60,7 +60,7 @@ class FramePipelines {
   // How lookup=spsm answers, in the numbers of shared/choices.h, in the place of what it answers.
   VkPipeline classify(const Method&);
   RasterPipelines raster(const RasterChoice&, bool opaque, bool masked);
-  WarpPipelines warp(Warp);
+  WarpPipelines warp(const Method&);
   // The same for passes beside the stages.
   VkPipeline compute(std::string_view shader, const Specialization&);
   VkPipeline fullscreen(std::string_view shader, VkFormat, const Specialization&);

@@ -43,6 +43,9 @@ enum class PlanTiming { gpu, readback, delayed };
 // Where the square of volume=inscribed lies: the camera on the circle inscribed in it, as the paper has it;
 // or turned so that the camera looks along the middle of a column of tiles.
 enum class Placement { circle, column };
+// Where a rectilinear warp's importance is found: in what the camera sees, in what the light sees, or in what
+// the camera sees of the light's edges too.
+enum class Analysis { backward, forward, hybrid };
 // Who draws depth maps: raster_choice.h.
 enum class Raster { automatic, pipeline, compute };
 // Which partition answers: the one made for the sample's depth, or the tightest that contains it.
@@ -59,8 +62,10 @@ struct Method {
     unsigned width = 2048, height = 2048;  // texels of every map
     std::optional<double> window;          // of a warp, texels; none: a share of the map's side
     double even = 1;                       // share of a warp's texels, in (0, 1]
-    std::vector<double> weights;           // warp=rectilinear: of nearness, facing, edges
-    double percentile = 0;                 // resolution=estimated, of the pixels' sizes, in [0, 50]
+    double power = 1;                      // of importance, that a warp's texels follow
+    Analysis analysis = Analysis::backward;
+    std::vector<double> weights;  // warp=rectilinear: in the order of shared/plan.h
+    double percentile = 0;        // resolution=estimated, of the pixels' sizes, in [0, 50]
     PlanTiming plan = PlanTiming::gpu;
     Raster raster = Raster::automatic;
     unsigned partitions = 1;     // along the camera's depth

@@ -65,8 +65,8 @@ const std::vector<Rule>& rules() {
         .max = 32768,
         .defaultValue = kAuto,
         .description = "warp=rectilinear: over how many columns and rows importance is smoothed; auto: a "
-                       "sixteenth of the "
-                       "map's side; non-orthogonal: how many neighbouring rows and columns are counted "
+                       "thirty-second of the map's side; non-orthogonal: how many neighbouring rows and "
+                       "columns are counted "
                        "together; auto: a quarter",
         .choices = {kAuto}},
        [](const Stages& s) { return s.warp != Warp::none; },
@@ -76,19 +76,45 @@ const std::vector<Rule>& rules() {
         .unit = "1",
         .min = 0.01,
         .max = 1,
-        .defaultValue = "0.5",
+        .defaultValue = "0.1",
         .description = "share of a warp's texels that is spread evenly, whatever is important"},
        [](const Stages& s) { return s.warp != Warp::none; },
        [](const std::string& text, Method::Settings& s) { s.even = numberIn(text); }},
+      {{.name = "power",
+        .kind = Kind::number,
+        .unit = "1",
+        .min = 0.1,
+        .max = 2,
+        .defaultValue = "0.5",
+        .description = "of importance, that the other texels of a warp follow; 1: in proportion to it, which "
+                       "spreads samples evenly, as the papers have it; 0.5: fewest wrong pixels"},
+       [](const Stages& s) { return s.warp != Warp::none; },
+       [](const std::string& text, Method::Settings& s) { s.power = numberIn(text); }},
+      {{.name = "analysis",
+        .kind = Kind::choice,
+        .unit = "",
+        .defaultValue = "backward",
+        .description =
+            "where importance is looked for: backward: in what the camera sees; forward: in a map of what "
+            "the light sees, drawn before; hybrid: in what the camera sees, which asks that map for shadows' "
+            "edges; with warp=rectilinear",
+        .choices = {"backward", "forward", "hybrid"}},
+       [](const Stages& s) { return s.warp == Warp::rectilinear; },
+       [](const std::string& text, Method::Settings& s) {
+         s.analysis = text == "forward"  ? Analysis::forward
+                      : text == "hybrid" ? Analysis::hybrid
+                                         : Analysis::backward;
+       }},
       {{.name = "weights",
         .kind = Kind::list,
         .unit = "1",
         .min = 0,
         .max = 1000,
-        .defaultValue = "1:0:0",
+        .defaultValue = "0:0:0:1:1",
         .description =
-            "of what makes a sample important: how near it is to the eye, how much it faces it, and "
-            "edges in depth; with warp=rectilinear"},
+            "of what makes a place important: how near it is to the eye; how much it faces it; edges in the "
+            "camera's depth; shadows' edges, which analysis=backward doesn't know; and how many texels its "
+            "pixel asks for; with warp=rectilinear"},
        [](const Stages& s) { return s.warp == Warp::rectilinear; },
        [](const std::string& text, Method::Settings& s) { s.weights = listIn(text); }},
       {{.name = "bias_texels",
@@ -410,9 +436,18 @@ std::optional<std::string> whyInconsistent(const Stages& stages, const Method::S
            "plan=gpu";
   if (asksTriangles(stages.lookup) && settings.kernel % 2 == 0)
     return fmt::format("kernel: {} texels have no middle one: give an odd number", settings.kernel);
-  if (stages.warp == Warp::rectilinear &&
-      (settings.weights.size() != 3 || std::ranges::max(settings.weights) <= 0))
-    return "weights: give three of them, of nearness, facing and edges, not all 0: 1:0:0";
+  if (stages.warp == Warp::rectilinear) {
+    std::vector<double> weights = settings.weights;
+    if (weights.size() != shared::kImportanceFunctions)
+      return fmt::format(
+          "weights: {} of them; give five, of nearness, facing, edges, shadows' edges and density: 0:0:0:1:1",
+          weights.size());
+    // What this analysis doesn't see.
+    weights[settings.analysis == Analysis::forward ? shared::kEdges : shared::kShadowEdges] *=
+        settings.analysis == Analysis::hybrid;
+    if (std::ranges::max(weights) <= 0)
+      return "weights: nothing that this analysis sees is important: give it a weight: 0:0:0:1:1";
+  }
   if (stages.storage == Storage::moments && settings.exponents.size() != 2)
     return fmt::format("exponents: {} of them; give the positive and the negative one: 40:5",
                        settings.exponents.size());

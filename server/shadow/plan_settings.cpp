@@ -123,6 +123,10 @@ std::uint32_t shadowViewsOf(const Method& method) {
   return method.settings.partitions;
 }
 
+bool asksNearness(const Method& method) {
+  return method.stages->warp == Warp::rectilinear && method.settings.weights[shared::kNearness] > 0;
+}
+
 std::vector<glm::uvec2> mapSizesOf(const Method& method) {
   const Method::Settings& settings = method.settings;
   std::vector<glm::uvec2> sizes(shadowViewsOf(method), {settings.width, settings.height});
@@ -180,10 +184,10 @@ void settle(shared::FrameConstants& c, const Method& method, const dvec3& origin
   if (stages.partition == Partition::tiles) to.mapSize = glm::uvec2(std::ranges::max(from.tileSizes));
   const double side = std::max(from.width, from.height);
   to.warpWindow =
-      static_cast<std::uint32_t>(from.window.value_or(side / (stages.warp == Warp::rectilinear ? 16 : 4)));
+      static_cast<std::uint32_t>(from.window.value_or(side / (stages.warp == Warp::rectilinear ? 32 : 4)));
   to.warpEvenShare = static_cast<float>(from.even);
-  if (stages.warp == Warp::rectilinear)
-    to.warpWeights = glm::vec3(from.weights[0], from.weights[1], from.weights[2]);
+  to.warpPower = static_cast<float>(from.power);
+  if (stages.warp == Warp::rectilinear) std::ranges::copy(from.weights, to.warpWeights);
   to.smallerShare = static_cast<float>(from.percentile / 100);
   to.viewport = c.storeSize;
   if (stages.partition != Partition::tiles) return;

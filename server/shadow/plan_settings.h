@@ -22,6 +22,8 @@ void turnLightSpace(shared::FrameConstants&, const glm::dvec2& axis);
 
 // How many shadow views the method's plan has at most.
 std::uint32_t shadowViewsOf(const Method&);
+// Whether a warp weighs how near samples are, which needs the nearest one's depth.
+bool asksNearness(const Method&);
 // Texels of each view's map.
 std::vector<glm::uvec2> mapSizesOf(const Method&);
 std::uint64_t texelsOf(const std::vector<glm::uvec2>& mapSizes);

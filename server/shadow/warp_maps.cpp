@@ -21,6 +21,13 @@ std::uint64_t boundsRows(std::uint64_t functions) {
   }
 }
 
+std::uint64_t samplesOf(const Method& method, const shared::FrameConstants& constants) {
+  const glm::uvec2 map = constants.settings.mapSize, image = constants.imageSize;
+  if (method.stages->warp == Warp::rectilinear && method.settings.analysis == Analysis::forward)
+    return std::uint64_t{map.x} * map.y;
+  return (std::uint64_t{image.x} * image.y + kPixelsPerInvocation - 1) / kPixelsPerInvocation;
+}
+
 }  // namespace
 
 WarpSizes warpSizesOf(Warp warp, const glm::uvec2& map) {
@@ -34,8 +41,8 @@ WarpMaps::WarpMaps(const Device& device, FramePipelines& pipelines, const Method
                    const shared::FrameConstants& constants)
     : warp_(method.stages->warp),
       map_(constants.settings.mapSize),
-      pixels_(std::uint64_t{constants.imageSize.x} * constants.imageSize.y),
-      pipelines_(pipelines.warp(warp_)),
+      samples_(samplesOf(method, constants)),
+      pipelines_(pipelines.warp(method)),
       tables_(device, warpSizesOf(warp_, map_).tables * sizeof(float), kUsage),
       importance_(device, warpSizesOf(warp_, map_).importance * sizeof(std::uint32_t), kUsage) {}
 
@@ -55,23 +62,33 @@ void WarpMaps::dispatch(VkCommandBuffer command, VkPipeline pipeline, std::uint6
   barrier(command);
 }
 
+// Rectilinear.
+void WarpMaps::makeFunctions(VkCommandBuffer command) const {
+  dispatch(command, pipelines_.functions[0], 1);
+  dispatch(command, pipelines_.functions[1], 1);
+  dispatch(command, pipelines_.centres, map_.x);
+}
+
+void WarpMaps::recordNone(VkCommandBuffer command) const {
+  clear(command);
+  makeFunctions(command);
+}
+
 void WarpMaps::record(VkCommandBuffer command) const {
-  const std::uint64_t samples = (pixels_ + kPixelsPerInvocation - 1) / kPixelsPerInvocation;
   clear(command);
   if (warp_ == Warp::rectilinear) {
-    dispatch(command, pipelines_.importance, samples);
-    dispatch(command, pipelines_.functions[0], 1);
-    dispatch(command, pipelines_.functions[1], 1);
-  } else {
-    // Rows, then columns with the rows' warp applied.
-    for (const int down : {0, 1}) {
-      if (down) clear(command);
-      dispatch(command, pipelines_.count[down], samples);
-      dispatch(command, pipelines_.pool[down], down ? map_.y : map_.x);
-      dispatch(command, pipelines_.functions[down], down ? map_.x : map_.y);
-    }
-    dispatch(command, pipelines_.bounds, map_.x + 1);
+    dispatch(command, pipelines_.importance, samples_);
+    makeFunctions(command);
+    return;
   }
+  // Rows, then columns with the rows' warp applied.
+  for (const int down : {0, 1}) {
+    if (down) clear(command);
+    dispatch(command, pipelines_.count[down], samples_);
+    dispatch(command, pipelines_.pool[down], down ? map_.y : map_.x);
+    dispatch(command, pipelines_.functions[down], down ? map_.x : map_.y);
+  }
+  dispatch(command, pipelines_.bounds, map_.x + 1);
   dispatch(command, pipelines_.centres, map_.x);
 }
 

@@ -19,18 +19,22 @@ class WarpMaps {
   WarpMaps(const Device&, FramePipelines&, const Method&, const shared::FrameConstants&);
 
   void bindTo(BindingSet&) const;
-  // After the plan; bindings are bound. Buffers' contents are visible to shaders then.
+  // Tables of a warp that moves nothing; bindings are bound.
+  void recordNone(VkCommandBuffer) const;
+  // After the plan, and with an analysis that looks from the light after its map; bindings are bound.
+  // Buffers' contents are visible to shaders then.
   void record(VkCommandBuffer) const;
   const Buffer& tables() const { return tables_; }
   std::uint64_t bytes() const { return tables_.size() + importance_.size(); }
 
  private:
   void clear(VkCommandBuffer) const;
+  void makeFunctions(VkCommandBuffer) const;
   void dispatch(VkCommandBuffer, VkPipeline, std::uint64_t invocations) const;
 
   Warp warp_;
   glm::uvec2 map_;
-  std::uint64_t pixels_;
+  std::uint64_t samples_;  // invocations that look at all view samples, or at all texels of the light's map
   WarpPipelines pipelines_;
   Buffer tables_, importance_;
 };

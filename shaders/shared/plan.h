@@ -11,6 +11,11 @@ SUNDIAL_CONST kMaxShadowViews = 64u;
 SUNDIAL_CONST kMaxPartitions = 8u;  // along the camera's depth
 SUNDIAL_CONST kNoShadowView = 0xffffffffu;
 
+// What makes a place important to a rectilinear warp: nearness to the eye, facing it, an edge in the camera's
+// depth or in the light's, and how many texels a pixel asks for: ../importance.glsl.
+SUNDIAL_CONST kNearness = 0u, kFacing = 1u, kEdges = 2u, kShadowEdges = 3u, kDensity = 4u;
+SUNDIAL_CONST kImportanceFunctions = 5u;
+
 // One map of the store. Shadow space after the division by w: x and y in [-1, 1] across the rectangle, y down
 // as in the image, depth reversed: 1 at the near plane, 0 at the far plane.
 struct ShadowView {
@@ -83,10 +88,12 @@ struct PlanSettings {
   float smallerShare;
   uvec2 viewport;
   // The warp: over how many texels importance is smoothed, or how many rows share a function; how much of a
-  // function is spread evenly; and what counts how much for a rectilinear one: nearness, facing, edges.
+  // function is spread evenly; the power of importance that the rest follows; and what counts how much for a
+  // rectilinear one, in the order of kNearness to kDensity.
   uint warpWindow;
   float warpEvenShare;
-  vec3 warpWeights;
+  float warpPower;
+  float warpWeights[kImportanceFunctions];
   // focus=calipers: what the host found, light space after division; low above high where there is nothing.
   vec3 lsFitMin;
   vec3 lsFitMax;

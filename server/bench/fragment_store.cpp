@@ -18,6 +18,15 @@ std::vector<VkRect2D> viewportsOf(const Method& method) {
   return maps;
 }
 
+Pipeline makeConservative(const Device& device, const BindingLayout& layout) {
+  return makeGraphicsPipeline(device, layout,
+                              {.vertexShader = "store_depth.vert",
+                               .fragmentShader = "store_conservative.frag",
+                               .vertexBindings = SceneBuffers::vertexBindings(false),
+                               .vertexAttributes = SceneBuffers::vertexAttributes(false, false),
+                               .geometryShader = "conservative.geom"});
+}
+
 Pipeline makePipeline(const Device& device, const BindingLayout& layout, bool masked) {
   return makeGraphicsPipeline(device, layout,
                               {.vertexShader = masked ? "store_depth_masked.vert" : "store_depth.vert",
@@ -29,8 +38,10 @@ Pipeline makePipeline(const Device& device, const BindingLayout& layout, bool ma
 
 }  // namespace
 
-FragmentStore::FragmentStore(const Device& device, const FramePipelines& pipelines, const Method& method)
-    : maps_(viewportsOf(method)),
+FragmentStore::FragmentStore(const Device& device, const FramePipelines& pipelines, const Method& method,
+                             bool conservative)
+    : device_(device),
+      maps_(viewportsOf(method)),
       texels_(texelsOf(mapSizesOf(method))),
       depths_(device,
               Buffer(device, texels_ * sizeof(float),
@@ -38,7 +49,8 @@ FragmentStore::FragmentStore(const Device& device, const FramePipelines& pipelin
               VK_FORMAT_R32_UINT, sizeof(float)),
       unread_(device, {1, 1}, VK_FORMAT_D32_SFLOAT, VK_IMAGE_USAGE_SAMPLED_BIT),
       nearest_(makeSampler(device, VK_FILTER_NEAREST)),
-      opaque_(makePipeline(device, pipelines.layout, false)),
+      opaque_(conservative ? makeConservative(device, pipelines.layout)
+                           : makePipeline(device, pipelines.layout, false)),
       masked_(makePipeline(device, pipelines.layout, true)) {
   device.submit([&](VkCommandBuffer command) {
     transition(command, unread_, VK_IMAGE_LAYOUT_UNDEFINED, VK_IMAGE_LAYOUT_SHADER_READ_ONLY_OPTIMAL);
@@ -54,6 +66,8 @@ void FragmentStore::record(VkCommandBuffer command, const DrawView& draw) const 
   renderNowhere(command, largest, [&] { drawMaps(command, maps_, draw); });
   barrier(command);
 }
+
+std::vector<float> FragmentStore::depths() const { return valuesOf<float>(downloaded(device_, depths_)); }
 
 void FragmentStore::bindTo(BindingSet& bindings) const { bindNoStore(bindings, unread_, nearest_, depths_); }
 

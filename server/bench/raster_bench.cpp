@@ -1,8 +1,9 @@
 // sundial-bench-raster: the compute rasteriser against the pipeline, on built-in scenes.
 //
-//   ratios [RUNS]                                times of the store pass, as ratios: what raster=auto rests
-//   on check                                        every scene, map size and light, texel for texel time
-//   SCENE VIEW LIGHT RUNS METHOD...         the store passes of these methods, against the first
+//   ratios [RUNS]            times of the store pass, as ratios: what raster=auto rests on
+//   conservative [RUNS]      all that triangles touch: by compute, and grown by a geometry shader
+//   check                    every scene, map size and light, texel for texel
+//   time SCENE VIEW LIGHT RUNS METHOD...   the store passes of these methods, against the first
 #include <fmt/format.h>
 
 #include <cstdlib>
@@ -30,6 +31,11 @@ std::unique_ptr<Store> conservative(const Device& device, FramePipelines& pipeli
 std::unique_ptr<Store> byFragments(const Device& device, FramePipelines& pipelines, const Method& method,
                                    const shared::FrameConstants&) {
   return std::make_unique<FragmentStore>(device, pipelines, method);
+}
+
+std::unique_ptr<Store> byGeometryShader(const Device& device, FramePipelines& pipelines, const Method& method,
+                                        const shared::FrameConstants&) {
+  return std::make_unique<FragmentStore>(device, pipelines, method, true);
 }
 
 // One map of the whole scene: by the pipeline, by compute, with triangles, and conservatively.
@@ -84,6 +90,29 @@ int printRatios(const Device& device, FramePipelines& pipelines, int runs) {
   return 0;
 }
 
+// What conservative coverage costs over plain coverage by compute, and in which texels the two ways differ.
+int printConservative(const Device& device, FramePipelines& pipelines, int runs) {
+  if (!device.hasGeometryShaders()) throw std::runtime_error("this device has no geometry shaders");
+  for (const char* name : {"knot", "grid", "city"}) {
+    const RasterScene scene(device, pipelines, name, "", "");
+    for (const int texels : {512, 1024, 2048, 4096}) {
+      const std::string text = fmt::format("sm,texels={},raster=compute", texels);
+      const auto plain = scene.frame(text), byCompute = scene.frame(text, conservative),
+                 grown = scene.frame(text, byGeometryShader);
+      const auto ms = storeTimes(device, {plain.get(), byCompute.get(), grown.get()}, runs);
+      const Differences d = differences(*byCompute, *grown);
+      fmt::print(
+          "{:6} {:5}  compute {:7.1f} ms  conservative/compute {:.2f}  geometry shader/compute {:.2f}  "
+          "covered "
+          "{}  geometry shader misses {}, adds {}\n",
+          name, texels, median(ms[0]), ratio(ms[1], ms[0]), ratio(ms[2], ms[0]), d.covered, d.missing,
+          d.added);
+      std::fflush(stdout);
+    }
+  }
+  return 0;
+}
+
 int check(const Device& device, FramePipelines& pipelines) {
   bool same = true;
   for (const Place& place : {Place{"atrium", "main", "sun"},
@@ -133,9 +162,12 @@ int time(const Device& device, FramePipelines& pipelines, int argc, char** argv)
 
 int run(int argc, char** argv) {
   const std::string_view mode = argc > 1 ? argv[1] : "";
-  if ((mode != "ratios" || argc > 3) && (mode != "check" || argc > 2) && (mode != "time" || argc < 7)) {
-    fmt::print(stderr,
-               "sundial-bench-raster: give ratios [RUNS], check, or time SCENE VIEW LIGHT RUNS METHOD...\n");
+  const bool timesAll = (mode == "ratios" || mode == "conservative") && argc <= 3;
+  if (!timesAll && (mode != "check" || argc > 2) && (mode != "time" || argc < 7)) {
+    fmt::print(
+        stderr,
+        "sundial-bench-raster: give ratios [RUNS], conservative [RUNS], check, or time SCENE VIEW LIGHT "
+        "RUNS METHOD...\n");
     return 2;
   }
   const auto device = Device::create("", false);
@@ -143,7 +175,9 @@ int run(int argc, char** argv) {
   FramePipelines pipelines(**device);
   if (mode == "check") return check(**device, pipelines);
   if (mode == "time") return time(**device, pipelines, argc, argv);
-  return printRatios(**device, pipelines, argc == 3 ? std::max(std::atoi(argv[2]), 1) : 5);
+  const int runs = argc == 3 ? std::max(std::atoi(argv[2]), 1) : 5;
+  return mode == "ratios" ? printRatios(**device, pipelines, runs)
+                          : printConservative(**device, pipelines, runs);
 }
 
 }  // namespace

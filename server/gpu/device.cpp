@@ -224,6 +224,8 @@ void Device::open(VkPhysicalDevice physical) {
   vkGetPhysicalDeviceFeatures2(physical, &offered.all);
   for (const auto& item : features.needed()) *item.flag = VK_TRUE;
   hasInt64Atomics_ = offered.all.features.shaderInt64 && offered.v12.shaderBufferInt64Atomics;
+  features.all.features.geometryShader = offered.all.features.geometryShader;
+  hasGeometryShaders_ = offered.all.features.geometryShader == VK_TRUE;
   features.all.features.shaderInt64 = features.v12.shaderBufferInt64Atomics = hasInt64Atomics_;
   const float priority = 1;
   const VkDeviceQueueCreateInfo queue{.sType = VK_STRUCTURE_TYPE_DEVICE_QUEUE_CREATE_INFO,

@@ -36,6 +36,7 @@ class Device {
   bool isCpu() const { return isCpu_; }
   // 64-bit atomics on storage buffers, and 64-bit integers to do them with.
   bool hasInt64Atomics() const { return hasInt64Atomics_; }
+  bool hasGeometryShaders() const { return hasGeometryShaders_; }  // no frame needs them
   std::uint64_t validationMessages() const { return messages_->load(); }
 
   // Memory for these requirements. Throws GpuError, VK_ERROR_OUT_OF_DEVICE_MEMORY among others.
@@ -59,6 +60,7 @@ class Device {
   DeviceInfo info_;
   bool isCpu_ = false;
   bool hasInt64Atomics_ = false;
+  bool hasGeometryShaders_ = false;
   std::unique_ptr<std::atomic<std::uint64_t>> messages_ = std::make_unique<std::atomic<std::uint64_t>>(0);
   CommandPool commands_;
   Fence fence_;

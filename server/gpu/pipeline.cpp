@@ -165,6 +165,10 @@ Pipeline makeGraphicsPipeline(const Device& device, const BindingLayout& layout,
   const ShaderModule fragment =
       want.fragmentShader.empty() ? ShaderModule() : makeModule(device, want.fragmentShader);
   std::vector stages{stage(VK_SHADER_STAGE_VERTEX_BIT, vertex, specialization)};
+  const ShaderModule geometry =
+      want.geometryShader.empty() ? ShaderModule() : makeModule(device, want.geometryShader);
+  if (!want.geometryShader.empty())
+    stages.push_back(stage(VK_SHADER_STAGE_GEOMETRY_BIT, geometry, specialization));
   if (!want.fragmentShader.empty())
     stages.push_back(stage(VK_SHADER_STAGE_FRAGMENT_BIT, fragment, specialization));
 

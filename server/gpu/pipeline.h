@@ -56,10 +56,11 @@ struct GraphicsPipelineInfo {
   std::vector<VkVertexInputBindingDescription> vertexBindings = {};
   std::vector<VkVertexInputAttributeDescription> vertexAttributes = {};
   std::vector<VkFormat> colourFormats = {};
-  bool depth = false;        // D32, reversed: nearer is greater
-  bool depthAlways = false;  // drawn over what is there, whatever its depth
-  bool depthClamp = false;   // casters before the near plane are kept, at depth 1
-  bool adds = false;         // fragments add up, instead of the last one staying
+  bool depth = false;                    // D32, reversed: nearer is greater
+  bool depthAlways = false;              // drawn over what is there, whatever its depth
+  bool depthClamp = false;               // casters before the near plane are kept, at depth 1
+  std::string_view geometryShader = {};  // where the device has them: Device::hasGeometryShaders()
+  bool adds = false;                     // fragments add up, instead of the last one staying
   VkSampleCountFlagBits samples = VK_SAMPLE_COUNT_1_BIT;
 };
 // Triangles; viewport, scissor and (VK 1.3) cull mode are dynamic; counter-clockwise seen with y up is the

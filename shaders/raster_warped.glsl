@@ -19,6 +19,7 @@ struct WarpedTriangle {
   bool drawn;      // false: it covers nothing
   ivec2 columns;   // of the warped map, first and last
   vec2 rows;       // the triangle's range before the warp, texels
+  ivec2 texelRows; // and after a rectilinear one, first and last: the same for all columns
   vec2 reference;  // texels before the warp: edges are counted from here
   mat3 edges;      // columns: (a, b, c) with a x + b y + c >= 0 inside
   vec3 slack;      // a thousandth of a texel, so that neighbours leave no gap
@@ -26,6 +27,11 @@ struct WarpedTriangle {
   vec2 depthRange;
   mat3 attributes;  // weights of the corners, over w
 };
+
+vec2 boundsOf(uint level, uint group, float position) {
+  const uint at = boundAt(level, group), k = min(uint(position), warpSize().x - 1);
+  return mix(warpTexel(at + k), warpTexel(at + k + 1), position - float(k));
+}
 
 // The columns of the warped map that a box of the map may reach into: between the least value that any of its rows'
 // functions has at its left side and the greatest at its right. README.md derives it.
@@ -36,15 +42,14 @@ ivec2 warpedColumns(vec2 low, vec2 high) {
   if (to - from < (1u << kFirstLevel)) {
     for (uint f = from; f <= to; ++f) {
       const uint table = functionAt(f, false);
-      range = vec2(min(range.x, valueAt(table, low.x, last)), max(range.y, valueAt(table, high.x, last)));
+      range = vec2(min(range.x, valueAt(table, low.x, last).x), max(range.y, valueAt(table, high.x, last).x));
     }
   } else {
     // At most two groups of the first level that is as wide as the range.
     uint level = kFirstLevel;
     while ((1u << level) < to - from + 1) ++level;
     for (uint group = from >> level; group <= to >> level; ++group)
-      range = vec2(min(range.x, valueAt(boundAt(level, group, false), low.x, last)),
-                   max(range.y, valueAt(boundAt(level, group, true), high.x, last)));
+      range = vec2(min(range.x, boundsOf(level, group, low.x).x), max(range.y, boundsOf(level, group, high.x).y));
   }
   return ivec2(max(ceil(range.x - 0.5 - kRounding), 0), min(floor(range.y - 0.5 + kRounding), float(last - 1)));
 }
@@ -52,8 +57,12 @@ ivec2 warpedColumns(vec2 low, vec2 high) {
 // And the rows of one of these columns: its middle has one function.
 ivec2 warpedRows(uint column, vec2 range) {
   const uint last = warpSize().y, table = between(float(column) + 0.5, true).first;
-  return ivec2(max(ceil(valueAt(table, range.x, last) - 0.5 - kRounding), 0),
-               min(floor(valueAt(table, range.y, last) - 0.5 + kRounding), float(last - 1)));
+  return ivec2(max(ceil(valueAt(table, range.x, last).x - 0.5 - kRounding), 0),
+               min(floor(valueAt(table, range.y, last).x - 0.5 + kRounding), float(last - 1)));
+}
+
+ivec2 rowsIn(WarpedTriangle t, uint column) {
+  return kWarp == kWarpRectilinear ? t.texelRows : warpedRows(column, t.rows);
 }
 
 WarpedTriangle warpedTriangle(Corner corners[3]) {
@@ -95,6 +104,10 @@ WarpedTriangle warpedTriangle(Corner corners[3]) {
   t.columns = warpedColumns(low, high);
   t.rows = vec2(low.y, high.y);
   if (t.columns.x > t.columns.y) return t;
+  if (kWarp == kWarpRectilinear) {
+    t.texelRows = warpedRows(0, t.rows);
+    if (t.texelRows.x > t.texelRows.y) return t;
+  }
 
   t.reference = low;
   for (int i = 0; i < 3; ++i) at[i].xy -= low * at[i].z;

@@ -19,7 +19,6 @@ struct WarpedTriangle {
   bool drawn;      // false: it covers nothing
   ivec2 columns;   // of the warped map, first and last
   vec2 rows;       // the triangle's range before the warp, texels
-  ivec2 texelRows; // and after a rectilinear one, first and last: the same for all columns
   vec2 reference;  // texels before the warp: edges are counted from here
   mat3 edges;      // columns: (a, b, c) with a x + b y + c >= 0 inside
   vec3 slack;      // a thousandth of a texel, so that neighbours leave no gap
@@ -61,8 +60,19 @@ ivec2 warpedRows(uint column, vec2 range) {
                min(floor(valueAt(table, range.y, last).x - 0.5 + kRounding), float(last - 1)));
 }
 
+// The same for a triangle. A rectilinear warp took all of a column from one x, where the edges tell the range of y.
 ivec2 rowsIn(WarpedTriangle t, uint column) {
-  return kWarp == kWarpRectilinear ? t.texelRows : warpedRows(column, t.rows);
+  vec2 range = t.rows;
+  if (kWarp == kWarpRectilinear) {
+    const float x = warpTexel(column).x - t.reference.x;
+    for (int i = 0; i < 3; ++i) {
+      const vec3 edge = t.edges[i];
+      const float at = edge.x * x + edge.z + 2 * t.slack[i];
+      if (edge.y > 0) range.x = max(range.x, t.reference.y - at / edge.y);
+      if (edge.y < 0) range.y = min(range.y, t.reference.y - at / edge.y);
+    }
+  }
+  return warpedRows(column, range);
 }
 
 WarpedTriangle warpedTriangle(Corner corners[3]) {
@@ -105,8 +115,8 @@ WarpedTriangle warpedTriangle(Corner corners[3]) {
   t.rows = vec2(low.y, high.y);
   if (t.columns.x > t.columns.y) return t;
   if (kWarp == kWarpRectilinear) {
-    t.texelRows = warpedRows(0, t.rows);
-    if (t.texelRows.x > t.texelRows.y) return t;
+    const ivec2 rows = warpedRows(0, t.rows);  // the same for all columns
+    if (rows.x > rows.y) return t;
   }
 
   t.reference = low;

@@ -40,7 +40,7 @@ void main() {
   // As many rows as in the middle, about.
   const ivec2 middle = rowsIn(t, uint(t.columns.x + t.columns.y) / 2);
   const int columns = t.columns.y - t.columns.x + 1;
-  if (columns * (middle.y - middle.x + 1) > kFewTexels) {
+  if (columns * max(middle.y - middle.x + 1, 1) > kFewTexels) {
     list(id, uint(columns));
     return;
   }

@@ -24,7 +24,11 @@ float footprint(uint view, ViewSample s) {
   const vec3 wsU = normalize(cross(axis, s.wsNormal)), wsV = cross(s.wsNormal, wsU);
   const vec4 clipU = v.shadowFromWorld * vec4(wsU, 0), clipV = v.shadowFromWorld * vec4(wsV, 0);
   vec2 texelsPerUnit = 0.5 * vec2(v.rectSize) / clip.w;
-  if (kWarp != kWarpNone) texelsPerUnit *= warpStretch(0.5 * (shadow.xy + 1) * vec2(v.rectSize));
+  if (kWarp != kWarpNone) {
+    vec2 stretch;
+    warpedPosition(0.5 * (shadow.xy + 1) * vec2(v.rectSize), stretch);
+    texelsPerUnit *= stretch;
+  }
   const mat2 texelFromPlane = mat2((clipU.xy - shadow.xy * clipU.w) * texelsPerUnit,
                                    (clipV.xy - shadow.xy * clipV.w) * texelsPerUnit);
   if (determinant(texelFromPlane) == 0) return 0;

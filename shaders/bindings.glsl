@@ -16,7 +16,7 @@ layout(set = 0, binding = kBindCommands, scalar) buffer CommandBlock { DrawComma
 layout(set = 0, binding = kBindVisible, scalar) buffer VisibleBlock { uvec2 visible[]; };
 layout(set = 0, binding = kBindCounts, scalar) buffer CountBlock { uint counts[]; };
 layout(set = 0, binding = kBindLinear, scalar) buffer LinearBlock { uint linearStore[]; };
-layout(set = 0, binding = kBindWarps, scalar) buffer WarpBlock { float warps[]; };
+layout(set = 0, binding = kBindWarps, scalar) buffer WarpBlock { vec2 warps[]; };
 layout(set = 0, binding = kBindImportance, scalar) buffer ImportanceBlock { uint importance[]; };
 layout(set = 0, binding = kBindVertices) uniform usamplerBuffer vertexTexels;
 layout(set = 0, binding = kBindAttributes) uniform usamplerBuffer attributeTexels;
@@ -29,6 +29,7 @@ layout(set = 0, binding = kBindClusterEdges) uniform usamplerBuffer clusterEdgeT
 layout(set = 0, binding = kBindPlanes) uniform samplerBuffer planeTexels;
 layout(set = 0, binding = kBindLinearTexels) uniform usamplerBuffer linearTexels;
 layout(set = 0, binding = kBindTables) uniform usamplerBuffer tableTexels;
+layout(set = 0, binding = kBindWarpTexels) uniform usamplerBuffer warpTexels;
 layout(set = 0, binding = kBindTextures) uniform sampler2DArray textures;
 layout(set = 0, binding = kBindDepth) uniform sampler2D gbufferDepth;
 layout(set = 0, binding = kBindIds) uniform usampler2D gbufferIds;

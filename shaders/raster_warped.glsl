@@ -27,6 +27,11 @@ struct WarpedTriangle {
   mat3 attributes;  // weights of the corners, over w
 };
 
+vec2 boundsOf(uint level, uint group, float position) {
+  const uint at = boundAt(level, group), k = min(uint(position), warpSize().x - 1);
+  return mix(warpTexel(at + k), warpTexel(at + k + 1), position - float(k));
+}
+
 // The columns of the warped map that a box of the map may reach into: between the least value that any of its rows'
 // functions has at its left side and the greatest at its right. README.md derives it.
 ivec2 warpedColumns(vec2 low, vec2 high) {
@@ -36,15 +41,14 @@ ivec2 warpedColumns(vec2 low, vec2 high) {
   if (to - from < (1u << kFirstLevel)) {
     for (uint f = from; f <= to; ++f) {
       const uint table = functionAt(f, false);
-      range = vec2(min(range.x, valueAt(table, low.x, last)), max(range.y, valueAt(table, high.x, last)));
+      range = vec2(min(range.x, valueAt(table, low.x, last).x), max(range.y, valueAt(table, high.x, last).x));
     }
   } else {
     // At most two groups of the first level that is as wide as the range.
     uint level = kFirstLevel;
     while ((1u << level) < to - from + 1) ++level;
     for (uint group = from >> level; group <= to >> level; ++group)
-      range = vec2(min(range.x, valueAt(boundAt(level, group, false), low.x, last)),
-                   max(range.y, valueAt(boundAt(level, group, true), high.x, last)));
+      range = vec2(min(range.x, boundsOf(level, group, low.x).x), max(range.y, boundsOf(level, group, high.x).y));
   }
   return ivec2(max(ceil(range.x - 0.5 - kRounding), 0), min(floor(range.y - 0.5 + kRounding), float(last - 1)));
 }
@@ -52,8 +56,23 @@ ivec2 warpedColumns(vec2 low, vec2 high) {
 // And the rows of one of these columns: its middle has one function.
 ivec2 warpedRows(uint column, vec2 range) {
   const uint last = warpSize().y, table = between(float(column) + 0.5, true).first;
-  return ivec2(max(ceil(valueAt(table, range.x, last) - 0.5 - kRounding), 0),
-               min(floor(valueAt(table, range.y, last) - 0.5 + kRounding), float(last - 1)));
+  return ivec2(max(ceil(valueAt(table, range.x, last).x - 0.5 - kRounding), 0),
+               min(floor(valueAt(table, range.y, last).x - 0.5 + kRounding), float(last - 1)));
+}
+
+// The same for a triangle. A rectilinear warp took all of a column from one x, where the edges tell the range of y.
+ivec2 rowsIn(WarpedTriangle t, uint column) {
+  vec2 range = t.rows;
+  if (kWarp == kWarpRectilinear) {
+    const float x = warpTexel(column).x - t.reference.x;
+    for (int i = 0; i < 3; ++i) {
+      const vec3 edge = t.edges[i];
+      const float at = edge.x * x + edge.z + 2 * t.slack[i];
+      if (edge.y > 0) range.x = max(range.x, t.reference.y - at / edge.y);
+      if (edge.y < 0) range.y = min(range.y, t.reference.y - at / edge.y);
+    }
+  }
+  return warpedRows(column, range);
 }
 
 WarpedTriangle warpedTriangle(Corner corners[3]) {
@@ -95,6 +114,10 @@ WarpedTriangle warpedTriangle(Corner corners[3]) {
   t.columns = warpedColumns(low, high);
   t.rows = vec2(low.y, high.y);
   if (t.columns.x > t.columns.y) return t;
+  if (kWarp == kWarpRectilinear) {
+    const ivec2 rows = warpedRows(0, t.rows);  // the same for all columns
+    if (rows.x > rows.y) return t;
+  }
 
   t.reference = low;
   for (int i = 0; i < 3; ++i) at[i].xy -= low * at[i].z;

@@ -38,15 +38,15 @@ void main() {
   const WarpedTriangle t = warpedTriangle(corners);
   if (!t.drawn) return;
   // As many rows as in the middle, about.
-  const ivec2 middle = warpedRows(uint(t.columns.x + t.columns.y) / 2, t.rows);
+  const ivec2 middle = rowsIn(t, uint(t.columns.x + t.columns.y) / 2);
   const int columns = t.columns.y - t.columns.x + 1;
-  if (columns * (middle.y - middle.x + 1) > kFewTexels) {
+  if (columns * max(middle.y - middle.x + 1, 1) > kFewTexels) {
     list(id, uint(columns));
     return;
   }
   const uint material = kMasked ? clusters[drawAt(command.firstInstance).cluster].material : 0;
   for (int x = t.columns.x; x <= t.columns.y; ++x) {
-    const ivec2 rows = warpedRows(uint(x), t.rows);
+    const ivec2 rows = rowsIn(t, uint(x));
     for (int y = rows.x; y <= rows.y; ++y) keepIfCovered(push.view, id, t, corners, material, uvec2(x, y));
   }
 }

@@ -21,6 +21,6 @@ void main() {
                                   gl_LocalInvocationID.x % kColumnsPerEntry);
   if (!t.drawn || x > t.columns.y) return;
   const uint material = kMasked ? clusters[drawAt(entry.id / kMaxClusterTriangles).cluster].material : 0;
-  const ivec2 rows = warpedRows(uint(x), t.rows);
+  const ivec2 rows = rowsIn(t, uint(x));
   for (int y = rows.x; y <= rows.y; ++y) keepIfCovered(view, entry.id, t, corners, material, uvec2(x, y));
 }

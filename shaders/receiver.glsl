@@ -33,7 +33,8 @@ Receiver receiverIn(uint view, ViewSample s) {
   Receiver r;
   r.viewSample = s;
   r.unwarped = (ls.xy - vec2(lsMin.x, lsMax.y)) * texelsPerLight;
-  r.texel = kWarp == kWarpNone ? r.unwarped : warpedPosition(r.unwarped);
+  vec2 stretch = vec2(1);
+  r.texel = kWarp == kWarpNone ? r.unwarped : warpedPosition(r.unwarped, stretch);
 
   const vec4 plane = planeInView(view, s.wsNormal, s.wsPosition);
   // A plane that contains the light's ray has no slope to follow; it isn't lit either.
@@ -42,7 +43,7 @@ Receiver receiverIn(uint view, ViewSample s) {
   const vec3 toLight = towardsLight(s.wsPosition);
   const vec4 towards = directionInView(view, toLight);
   const float depthPerMetre = (towards.z - ls.z * towards.w) / light.w * depthPerLight;
-  const vec2 texelSize = plan.views[view].texelSize / (kWarp == kWarpNone ? vec2(1) : warpStretch(r.unwarped));
+  const vec2 texelSize = plan.views[view].texelSize / stretch;
   const float texelMetres = (kWarp == kWarpNone ? max(texelSize.x, texelSize.y) : sqrt(texelSize.x * texelSize.y)) * (lightIsFar() ? 1.0 : light.w);
   // A face that looks into the light meets its neighbours' texels with half of the error of one at 45 degrees.
   const float cosine = dot(s.wsNormal, toLight), sine = sqrt(max(1 - cosine * cosine, 0));

@@ -10,7 +10,8 @@ vec4 warpedVertex(uint view, vec3 wsPosition) {
   const vec2 size = vec2(warpSize()), p = 0.5 * (shadow.xy / shadow.w + 1) * size;
   // Beyond the map there is nothing to stretch.
   const vec2 inside = clamp(p, vec2(0), size);
-  const vec2 warped = warpedPosition(inside) + (p - inside);
+  vec2 stretch;
+  const vec2 warped = warpedPosition(inside, stretch) + (p - inside);
   return vec4((2 * warped / size - 1) * shadow.w, shadow.zw);
 }
 

@@ -14,8 +14,11 @@
 
 layout(constant_id = 7) const uint kWarp = kWarpNone;
 
-// How tables lie in the buffer, one behind the other: where texels' centres came from; X's values at the edges of texels,
-// function by function; Y's; and bounds of X over groups of functions, least and greatest.
+// How tables lie in the buffer, one behind the other, pairs of floats, written as `warps`, and read at random as `warpTexels`:
+//   where texels' centres came from; for a rectilinear warp x column by column, then y row by row
+//   X at the edges of texels, function by function: its value, and how much longer the step from there is after the warp
+//   Y likewise
+//   bounds of X over groups of functions, least and greatest
 uvec2 warpSize() { return frame.settings.mapSize; }
 uint functions(bool down) { return kWarp == kWarpNonOrthogonal ? (down ? warpSize().x : warpSize().y) : 1; }
 uint knots(bool down) { return (down ? warpSize().y : warpSize().x) + 1; }
@@ -34,24 +37,20 @@ uint lastLevel() {
   return level;
 }
 
-uint centreAt(uvec2 texel) { return 2 * (texel.y * warpSize().x + texel.x); }
+uint centres() { return kWarp == kWarpNonOrthogonal ? warpSize().x * warpSize().y : warpSize().x + warpSize().y; }
 uint functionAt(uint f, bool down) {
-  return 2 * warpSize().x * warpSize().y + (down ? functions(false) * knots(false) : 0) + f * knots(down);
+  return centres() + (down ? functions(false) * knots(false) : 0) + f * knots(down);
 }
-uint boundAt(uint level, uint group, bool greatest) {
-  return functionAt(functions(true), true) + (2 * (groupsBefore(level) + group) + (greatest ? 1 : 0)) * knots(false);
-}
+uint boundAt(uint level, uint group) { return functionAt(functions(true), true) + (groupsBefore(level) + group) * knots(false); }
 
-// The function whose values begin at `table`, at a position.
-float valueAt(uint table, float position, uint last) {
+vec2 warpTexel(uint at) { return uintBitsToFloat(texelFetch(warpTexels, int(at)).xy); }
+
+// The function whose values begin at `table`, at a position, and how much longer a step is there after the warp.
+vec2 valueAt(uint table, float position, uint last) {
   const float at = clamp(position, 0, float(last));
   const uint k = min(uint(at), last - 1);
-  return mix(warps[table + k], warps[table + k + 1], at - float(k));
-}
-// How much longer a step is there after the warp.
-float stretchAt(uint table, float position, uint last) {
-  const uint k = min(uint(max(position, 0)), last - 1);
-  return warps[table + k + 1] - warps[table + k];
+  const vec2 knot = warpTexel(table + k);
+  return vec2(knot.x + knot.y * (at - float(k)), knot.y);
 }
 
 // The two functions whose rows' or columns' middles are around a position, and the second one's share.
@@ -66,29 +65,27 @@ Between between(float position, bool down) {
   return Between(functionAt(first, down), functionAt(min(first + 1, functions(down) - 1), down), at - float(first));
 }
 
-float warpedAcross(vec2 p) {
-  const Between a = between(p.y, false);
-  const uint last = warpSize().x;
-  return mix(valueAt(a.first, p.x, last), valueAt(a.second, p.x, last), a.share);
+// What the functions around `beside` make of a position, and its stretch.
+vec2 warpedAlong(float position, float beside, bool down) {
+  const uint last = knots(down) - 1;
+  if (functions(down) == 1) return valueAt(functionAt(0, down), position, last);
+  const Between a = between(beside, down);
+  return mix(valueAt(a.first, position, last), valueAt(a.second, position, last), a.share);
 }
 
-vec2 warpedPosition(vec2 p) {
-  const float x = warpedAcross(p);
-  const Between a = between(x, true);
-  const uint last = warpSize().y;
-  return vec2(x, mix(valueAt(a.first, p.y, last), valueAt(a.second, p.y, last), a.share));
-}
+float warpedAcross(vec2 p) { return warpedAlong(p.x, p.y, false).x; }
 
-vec2 warpStretch(vec2 p) {
-  const Between row = between(p.y, false), column = between(warpedAcross(p), true);
-  return vec2(mix(stretchAt(row.first, p.x, warpSize().x), stretchAt(row.second, p.x, warpSize().x), row.share),
-              mix(stretchAt(column.first, p.y, warpSize().y), stretchAt(column.second, p.y, warpSize().y), column.share));
+// Where a position goes, and how much longer steps across and down are there.
+vec2 warpedPosition(vec2 p, out vec2 stretch) {
+  const vec2 across = warpedAlong(p.x, p.y, false), down = warpedAlong(p.y, across.x, true);
+  stretch = vec2(across.y, down.y);
+  return vec2(across.x, down.x);
 }
 
 // The inverse at the centre of a warped texel, from the table.
 vec2 centreOrigin(uvec2 texel) {
-  const uint at = centreAt(texel);
-  return vec2(warps[at], warps[at + 1]);
+  if (kWarp == kWarpRectilinear) return vec2(warpTexel(texel.x).x, warpTexel(warpSize().x + texel.y).x);
+  return warpTexel(texel.y * warpSize().x + texel.x);
 }
 
 #endif

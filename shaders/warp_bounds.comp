@@ -15,18 +15,18 @@ void main() {
       if (level == kFirstLevel) {
         const uint end = min((group + 1) << level, functions(false));
         for (uint f = group << level; f < end; ++f) {
-          const float value = warps[functionAt(f, false) + knot];
+          const float value = warpTexel(functionAt(f, false) + knot).x;
           low = min(low, value);
           high = max(high, value);
         }
       } else {
         const uint end = min(2 * group + 2, groupsOf(level - 1));
         for (uint below = 2 * group; below < end; ++below) {
-          low = min(low, warps[boundAt(level - 1, below, false) + knot]);
-          high = max(high, warps[boundAt(level - 1, below, true) + knot]);
+          const vec2 bound = warps[boundAt(level - 1, below) + knot];  // this invocation's own
+          low = min(low, bound.x);
+          high = max(high, bound.y);
         }
       }
-      warps[boundAt(level, group, false) + knot] = low;
-      warps[boundAt(level, group, true) + knot] = high;
+      warps[boundAt(level, group) + knot] = vec2(low, high);
     }
 }

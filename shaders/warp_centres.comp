@@ -6,15 +6,23 @@
 
 layout(local_size_x = 64) in;
 
-float mixedAt(Between a, uint knot) { return mix(warps[a.first + knot], warps[a.second + knot], a.share); }
+float mixedAt(Between a, uint knot) {
+  const float value = warpTexel(a.first + knot).x;
+  return a.share == 0 ? value : mix(value, warpTexel(a.second + knot).x, a.share);
+}
 
-// Of functions that rise, found by halving between two knots.
-float inverseOf(Between a, float value, uint low, uint high) {
+// Of functions that rise, found by halving between two knots, from `near` on if it lies next to that one.
+float inverseOf(Between a, float value, uint last, inout uint near) {
+  const uint kReach = 4;
+  uint low = near - min(near, kReach), high = min(near + kReach, last);
+  if (mixedAt(a, low) > value) low = 0;
+  if (mixedAt(a, high) <= value) high = last;
   while (high - low > 1) {
     const uint middle = (low + high) / 2;
     if (mixedAt(a, middle) <= value) low = middle;
     else high = middle;
   }
+  near = low;
   const float before = mixedAt(a, low), after = mixedAt(a, low + 1);
   return float(low) + clamp((value - before) / max(after - before, 1e-30), 0, 1);
 }
@@ -22,12 +30,17 @@ float inverseOf(Between a, float value, uint low, uint high) {
 void main() {
   const uint column = gl_GlobalInvocationID.x;
   const uvec2 size = warpSize();
+  const float middle = float(column) + 0.5;
+  uvec2 near = uvec2(0);
+  if (kWarp == kWarpRectilinear) {  // here also a row
+    if (column < size.x) warps[column].x = inverseOf(between(0, false), middle, size.x, near.x);
+    if (column < size.y) warps[size.x + column].x = inverseOf(between(0, true), middle, size.y, near.y);
+    return;
+  }
   if (column >= size.x) return;
-  const Between down = between(float(column) + 0.5, true);  // one function: this is a column's middle
+  const Between down = between(middle, true);  // one function: this is a column's middle
   for (uint row = 0; row < size.y; ++row) {
-    const float y = inverseOf(down, float(row) + 0.5, 0, size.y);
-    const uint at = centreAt(uvec2(column, row));
-    warps[at] = inverseOf(between(y, false), float(column) + 0.5, 0, size.x);
-    warps[at + 1] = y;
+    const float y = inverseOf(down, float(row) + 0.5, size.y, near.y);
+    warps[row * size.x + column] = vec2(inverseOf(between(y, false), middle, size.x, near.x), y);
   }
 }

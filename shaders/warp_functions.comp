@@ -33,13 +33,13 @@ void main() {
   if (f >= functions(kDown)) return;
   const uint last = knots(kDown) - 1, table = functionAt(f, kDown);
   float sum = 0;
-  warps[table] = 0;
   for (uint k = 0; k < last; ++k) {
-    sum += importanceOf(f, k);
-    warps[table + k + 1] = sum;
+    const float here = importanceOf(f, k);
+    warps[table + k] = vec2(sum, here);
+    sum += here;
   }
   const float even = sum > 0 ? frame.settings.warpEvenShare : 1;
   const float scale = sum > 0 ? (1 - even) * float(last) / sum : 0;
-  for (uint k = 1; k < last; ++k) warps[table + k] = scale * warps[table + k] + even * float(k);
-  warps[table + last] = float(last);
+  for (uint k = 0; k < last; ++k) warps[table + k] = scale * warps[table + k] + even * vec2(k, 1);
+  warps[table + last] = vec2(last, 0);
 }

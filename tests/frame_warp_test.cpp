@@ -32,12 +32,14 @@ const View kBesideTheCurtain{.eye = {-9, 1.7, 12}, .target = {2, 0.5, -6}, .vert
 struct Warped {
   glm::uvec2 size{0};
   std::size_t rows = 1, columns = 1;  // functions across and down
-  std::vector<float> tables;
-  std::vector<dvec2> samples;  // positions in the map before the warp, texels
+  std::vector<float> tables;          // pairs
+  std::vector<float> values;          // of functions: the first of each pair behind the centres
+  std::vector<dvec2> samples;         // positions in the map before the warp, texels
 
-  const float* across(std::size_t row) const { return &tables[2 * size.x * size.y + row * (size.x + 1)]; }
+  const float* across(std::size_t row) const { return &values[row * (size.x + 1)]; }
   const float* down(std::size_t column) const { return across(rows) + column * (size.y + 1); }
   dvec2 centre(unsigned x, unsigned y) const {
+    if (rows == 1) return {tables[2 * x], tables[2 * (size.x + y)]};
     const float* at = &tables[2 * (y * size.x + x)];
     return {at[0], at[1]};
   }
@@ -110,7 +112,10 @@ class FrameWarp : public RendererTest {
                .rows = each ? plan.views[0].rectSize.y : 1,
                .columns = each ? plan.views[0].rectSize.x : 1,
                .tables = frame.downloadWarp(),
+               .values = {},
                .samples = {}};
+    const std::size_t centres = each ? std::size_t{out.size.x} * out.size.y : out.size.x + out.size.y;
+    for (std::size_t i = 2 * centres; i < out.tables.size(); i += 2) out.values.push_back(out.tables[i]);
     const auto positions = valuesOf<glm::uvec4>(downloaded(*device, target.positions, sizeof(glm::uvec4)));
     const auto normals = valuesOf<glm::uvec4>(downloaded(*device, target.normals, sizeof(glm::uvec4)));
     std::vector<shared::ViewSample> samples(positions.size());

@@ -36,10 +36,10 @@ std::uint64_t texelsOf(const shared::Plan& plan) {
 std::optional<std::string> whyTooLarge(const Method& method, const Device& device) {
   if (!method.stages) return std::nullopt;
   const WarpSizes warp = warpSizesOf(method.stages->warp, {method.settings.width, method.settings.height});
-  if (4 * std::max(warp.tables, warp.importance) > device.limits().maxStorageBufferRange)
+  if (std::max(8 * warp.tables, 4 * warp.importance) > device.limits().maxStorageBufferRange)
     return fmt::format(
         "the tables of its warp take {} bytes, a buffer of this device has at most {}: ask for fewer texels",
-        4 * std::max(warp.tables, warp.importance), device.limits().maxStorageBufferRange);
+        std::max(8 * warp.tables, 4 * warp.importance), device.limits().maxStorageBufferRange);
   const std::uint64_t views = shadowViewsOf(method);
   const bool ids = keepsIds(method.stages->storage);
   if (ids && !device.hasInt64Atomics())
@@ -115,7 +115,8 @@ void bindNoStore(BindingSet& bindings, const GpuImage& unread, VkSampler sampler
        {shared::kBindLinear, shared::kBindRaster, shared::kBindListed, shared::kBindParts, shared::kBindBands,
         shared::kBindWarps, shared::kBindImportance})
     bindings.set(binding, static_cast<const Buffer&>(unreadToo));
-  bindings.set(shared::kBindLinearTexels, unreadToo);
+  for (const std::uint32_t binding : {shared::kBindLinearTexels, shared::kBindWarpTexels})
+    bindings.set(binding, unreadToo);
 }
 
 TexelBuffer unreadBuffer(const Device& device) {

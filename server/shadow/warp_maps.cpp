@@ -7,16 +7,19 @@ namespace sundial {
 
 namespace {
 
-constexpr VkBufferUsageFlags kUsage =
-    VK_BUFFER_USAGE_STORAGE_BUFFER_BIT | VK_BUFFER_USAGE_TRANSFER_DST_BIT | VK_BUFFER_USAGE_TRANSFER_SRC_BIT;
+constexpr VkBufferUsageFlags kImportance =
+    VK_BUFFER_USAGE_STORAGE_BUFFER_BIT | VK_BUFFER_USAGE_TRANSFER_DST_BIT;
+constexpr VkBufferUsageFlags kTables = VK_BUFFER_USAGE_STORAGE_BUFFER_BIT |
+                                       VK_BUFFER_USAGE_UNIFORM_TEXEL_BUFFER_BIT |
+                                       VK_BUFFER_USAGE_TRANSFER_SRC_BIT;
 constexpr std::uint64_t kPixelsPerInvocation = 16;
 
-// Two rows of bounds for each group of 8, 16, ... functions, until one group holds all: warp.glsl.
+// A row of bounds for each group of 8, 16, ... functions, until one group holds all: warp.glsl.
 std::uint64_t boundsRows(std::uint64_t functions) {
   std::uint64_t rows = 0;
   for (unsigned level = 3;; ++level) {
     const std::uint64_t groups = (functions + (1u << level) - 1) >> level;
-    rows += 2 * groups;
+    rows += groups;
     if (groups <= 1) return rows;
   }
 }
@@ -31,10 +34,10 @@ std::uint64_t samplesOf(const Method& method, const shared::FrameConstants& cons
 }  // namespace
 
 WarpSizes warpSizesOf(Warp warp, const glm::uvec2& map) {
-  const std::uint64_t w = map.x, h = map.y, centres = 2 * w * h;
+  const std::uint64_t w = map.x, h = map.y;
   if (warp == Warp::none) return {0, 0};
-  if (warp == Warp::rectilinear) return {w + 1 + h + 1 + centres, w + h};
-  return {(h + boundsRows(h)) * (w + 1) + w * (h + 1) + centres, 2 * w * h};
+  if (warp == Warp::rectilinear) return {w + h + w + 1 + h + 1, w + h};
+  return {(h + boundsRows(h)) * (w + 1) + w * (h + 1) + w * h, 2 * w * h};
 }
 
 WarpMaps::WarpMaps(const Device& device, FramePipelines& pipelines, const Method& method,
@@ -43,11 +46,13 @@ WarpMaps::WarpMaps(const Device& device, FramePipelines& pipelines, const Method
       map_(constants.settings.mapSize),
       samples_(samplesOf(method, constants)),
       pipelines_(pipelines.warp(method)),
-      tables_(device, warpSizesOf(warp_, map_).tables * sizeof(float), kUsage),
-      importance_(device, warpSizesOf(warp_, map_).importance * sizeof(std::uint32_t), kUsage) {}
+      tables_(device, Buffer(device, warpSizesOf(warp_, map_).tables * sizeof(glm::vec2), kTables),
+              VK_FORMAT_R32G32_UINT, sizeof(glm::vec2)),
+      importance_(device, warpSizesOf(warp_, map_).importance * sizeof(std::uint32_t), kImportance) {}
 
 void WarpMaps::bindTo(BindingSet& bindings) const {
-  bindings.set(shared::kBindWarps, tables_);
+  bindings.set(shared::kBindWarps, tables());
+  bindings.set(shared::kBindWarpTexels, tables_);
   bindings.set(shared::kBindImportance, importance_);
 }
 
@@ -66,7 +71,7 @@ void WarpMaps::dispatch(VkCommandBuffer command, VkPipeline pipeline, std::uint6
 void WarpMaps::makeFunctions(VkCommandBuffer command) const {
   dispatch(command, pipelines_.functions[0], 1);
   dispatch(command, pipelines_.functions[1], 1);
-  dispatch(command, pipelines_.centres, map_.x);
+  dispatch(command, pipelines_.centres, std::max(map_.x, map_.y));
 }
 
 void WarpMaps::recordNone(VkCommandBuffer command) const {

@@ -8,7 +8,8 @@
 
 namespace sundial {
 
-// How many entries a warp of maps of this size takes: floats of its tables, and integers of importance.
+// How many entries a warp of maps of this size takes: pairs of floats of its tables, and integers of
+// importance.
 struct WarpSizes {
   std::uint64_t tables, importance;
 };
@@ -25,7 +26,7 @@ class WarpMaps {
   // Buffers' contents are visible to shaders then.
   void record(VkCommandBuffer) const;
   const Buffer& tables() const { return tables_; }
-  std::uint64_t bytes() const { return tables_.size() + importance_.size(); }
+  std::uint64_t bytes() const { return tables().size() + importance_.size(); }
 
  private:
   void clear(VkCommandBuffer) const;
@@ -36,7 +37,8 @@ class WarpMaps {
   glm::uvec2 map_;
   std::uint64_t samples_;  // invocations that look at all view samples, or at all texels of the light's map
   WarpPipelines pipelines_;
-  Buffer tables_, importance_;
+  TexelBuffer tables_;
+  Buffer importance_;
 };
 
 }  // namespace sundial

@@ -33,26 +33,27 @@ SUNDIAL_CONST kBindTriangles = 18u;     // RGBA32UI: Triangle
 SUNDIAL_CONST kBindDraws = 19u;         // RG32UI: Draw
 SUNDIAL_CONST kBindInstances = 20u;     // RGBA32F: a row of Instance
 SUNDIAL_CONST kBindLinearTexels = 21u;  // R32UI or RG32UI: what kBindLinear holds
-// Of shadow volumes alone:
+// Of shadow volumes, of lookups of triangles, and of warps alone:
 SUNDIAL_CONST kBindEdges = 22u;         // RGBA32UI: Edge
 SUNDIAL_CONST kBindEdgeSides = 23u;     // R32UI: triangles about edges
 SUNDIAL_CONST kBindClusterEdges = 24u;  // RG32UI: first and number of the edges of a cluster
 SUNDIAL_CONST kBindPlanes = 25u;        // RGBA32F: a triangle's plane, mesh space
 SUNDIAL_CONST kBindTables = 26u;        // RG32UI: slopes and patterns, lookup_tables.h
-SUNDIAL_CONST kTexelBindings = 27u;
+SUNDIAL_CONST kBindWarpTexels = 27u;    // RG32UI: bits of the floats that kBindWarps holds
+SUNDIAL_CONST kTexelBindings = 28u;
 
-SUNDIAL_CONST kBindTextures = 27u;      // sampler2DArray: base colour
-SUNDIAL_CONST kBindDepth = 28u;         // sampler2D: the G-buffer's depth
-SUNDIAL_CONST kBindIds = 29u;           // usampler2D: the G-buffer's draw and triangle
-SUNDIAL_CONST kBindPositions = 30u;     // usampler2D: view samples, position's bits and instance
-SUNDIAL_CONST kBindNormals = 31u;       // usampler2D: view samples, normal's bits and triangle
-SUNDIAL_CONST kBindStore = 32u;         // sampler2D: the shadow maps
-SUNDIAL_CONST kBindVisibility = 33u;    // sampler2D: what resolve wrote
-SUNDIAL_CONST kBindMultisampled = 34u;  // sampler2DMS: the depths of one view, storage=moments
-SUNDIAL_CONST kBindMoments = 35u;       // sampler2DArray: a layer a view
-SUNDIAL_CONST kBindBlurred = 36u;       // sampler2DArray: a view half-way through its blur
-SUNDIAL_CONST kBindHeld = 37u;          // usampler2D: packed triangles, storage=triangle
-SUNDIAL_CONST kBindCount = 38u;
+SUNDIAL_CONST kBindTextures = 28u;      // sampler2DArray: base colour
+SUNDIAL_CONST kBindDepth = 29u;         // sampler2D: the G-buffer's depth
+SUNDIAL_CONST kBindIds = 30u;           // usampler2D: the G-buffer's draw and triangle
+SUNDIAL_CONST kBindPositions = 31u;     // usampler2D: view samples, position's bits and instance
+SUNDIAL_CONST kBindNormals = 32u;       // usampler2D: view samples, normal's bits and triangle
+SUNDIAL_CONST kBindStore = 33u;         // sampler2D: the shadow maps
+SUNDIAL_CONST kBindVisibility = 34u;    // sampler2D: what resolve wrote
+SUNDIAL_CONST kBindMultisampled = 35u;  // sampler2DMS: the depths of one view, storage=moments
+SUNDIAL_CONST kBindMoments = 36u;       // sampler2DArray: a layer a view
+SUNDIAL_CONST kBindBlurred = 37u;       // sampler2DArray: a view half-way through its blur
+SUNDIAL_CONST kBindHeld = 38u;          // usampler2D: packed triangles, storage=triangle
+SUNDIAL_CONST kBindCount = 39u;
 
 SUNDIAL_SHARED_END
 #endif

@@ -140,9 +140,9 @@ void coverOver(inout Varying v, uint view, vec2 corners[3]) {
     v.insideRight[i] = slope.x;
     v.insideDown[i] = slope.y;
   }
-  // A texel's width; a spot light's shrinks with the distance from the light, and counts as it is at the far end.
+  // A texel's width. In the light of a place it is less depth the farther away it is, and counts as it is at the far end.
   const ShadowView s = plan.views[view];
-  v.depthStep = max(s.texelSize.x, s.texelSize.y) * (frame.lightKind == kLightSpot ? s.lsMin.z : 1.0) /
+  v.depthStep = max(s.texelSize.x, s.texelSize.y) * (frame.lightKind == kLightDirectional ? 1.0 : s.lsMin.z) /
                 (s.lsMax.z - s.lsMin.z);
 }
 

@@ -268,6 +268,19 @@ TEST_F(FrameWarp, WhateverIsAnalysedFewerPixelsAreWrong) {
   EXPECT_LT(wrong("notw,texels=256"), backward);
 }
 
+// lavapipe ends an invocation after 65,535 rounds of its loops, whatever it has done by then.
+TEST_F(FrameWarp, LargeMapsAreFinished) {
+  const auto scene = builtin("grid");
+  const auto wrong = [&](std::string_view text) {
+    const Rendering r = render(scene, viewOf(*scene, "main"), lightOf(*scene, "sun"), {256, 256}, text);
+    return 1 - r.result.measures->pixelMatch;
+  };
+  const double plain = wrong("sm,texels=1024");
+  for (const char* text : {"rtw", "rtw,texels=4096", "rtw,window=32768", "rtw,texels=4096,analysis=forward",
+                           "rtw,analysis=hybrid", "notw"})
+    EXPECT_LT(wrong(text), plain) << text;
+}
+
 // Above the middle of the map hangs a plate; the light's map shows its rim, which a camera that sees the
 // ground on both sides of it can't tell from anything else.
 TEST_F(FrameWarp, OnlyTheLightsMapTellsWhereShadowsEdgesAre) {

@@ -12,8 +12,8 @@ bool inFrustum(vec3 wsPosition) {
 }
 
 void main() {
-  const uvec2 size = warpSize(), texel = uvec2(gl_GlobalInvocationID.x % size.x, gl_GlobalInvocationID.x / size.x);
-  if (texel.y >= size.y || plan.views[0].empty != 0) return;
+  const uvec2 size = warpSize(), texel = gl_GlobalInvocationID.xy;
+  if (texel.x >= size.x || plan.views[0].empty != 0) return;
   const float depth = storedDepth(0, ivec2(texel));
   if (depth <= 0) return;
   const vec3 low = plan.views[0].lsMin, high = plan.views[0].lsMax;

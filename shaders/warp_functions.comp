@@ -12,15 +12,7 @@ float gatheredAt(uint f, uint k) {
   const uvec2 size = warpSize();
   if (kWarp == kWarpNonOrthogonal)
     return float(importance[size.x * size.y + (kDown ? k * size.x + f : f * size.x + k)]);
-  // The most of a column or row, smoothed over its neighbours [Rosen 2012].
-  const uint first = kDown ? size.x : 0, length_ = kDown ? size.y : size.x, reach = frame.settings.warpWindow / 2;
-  float sum = 0, weights = 0;
-  for (uint i = k - min(k, reach); i <= min(k + reach, length_ - 1); ++i) {
-    const float weight = float(reach + 1) - abs(float(i) - float(k));
-    sum += weight * uintBitsToFloat(importance[first + i]);
-    weights += weight;
-  }
-  return sum / weights;
+  return uintBitsToFloat(importance[size.x + size.y + (kDown ? size.x : 0) + k]);
 }
 
 float importanceOf(uint f, uint k) {

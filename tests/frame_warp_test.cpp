@@ -268,6 +268,30 @@ TEST_F(FrameWarp, WhateverIsAnalysedFewerPixelsAreWrong) {
   EXPECT_LT(wrong("notw,texels=256"), backward);
 }
 
+// A fence near the camera and the village behind it share rows and columns of the light's map. Looked for
+// from the light, shadows' edges are important in all of them.
+TEST_F(FrameWarp, RegionsThatShareRowsAndColumnsWasteARectilinearMapAndNoOther) {
+  const auto scene = builtin("village");
+  const auto wrong = [&](std::string_view text) {
+    const Rendering r = render(scene, viewOf(*scene, "fence"), lightOf(*scene, "sun"), {512, 512}, text);
+    return 1 - r.result.measures->pixelMatch;
+  };
+  EXPECT_GT(wrong("rtw,texels=512,analysis=forward"), 3 * wrong("notw,texels=512"));
+}
+
+// lavapipe ends an invocation after 65,535 rounds of its loops, whatever it has done by then.
+TEST_F(FrameWarp, LargeMapsAreFinished) {
+  const auto scene = builtin("grid");
+  const auto wrong = [&](std::string_view text) {
+    const Rendering r = render(scene, viewOf(*scene, "main"), lightOf(*scene, "sun"), {256, 256}, text);
+    return 1 - r.result.measures->pixelMatch;
+  };
+  const double plain = wrong("sm,texels=1024");
+  for (const char* text : {"rtw", "rtw,texels=4096", "rtw,window=32768", "rtw,texels=4096,analysis=forward",
+                           "rtw,analysis=hybrid", "notw"})
+    EXPECT_LT(wrong(text), plain) << text;
+}
+
 // Above the middle of the map hangs a plate; the light's map shows its rim, which a camera that sees the
 // ground on both sides of it can't tell from anything else.
 TEST_F(FrameWarp, OnlyTheLightsMapTellsWhereShadowsEdgesAre) {

@@ -289,6 +289,7 @@ WarpPipelines FramePipelines::warp(const Method& method) {
   WarpPipelines made{.functions = both("warp_functions.comp"),
                      .centres = compute("warp_centres.comp", warpConstants(warp))};
   if (warp == Warp::rectilinear) {
+    made.smooth = both("warp_smooth.comp");
     const Analysis analysis = method.settings.analysis;
     Specialization constants = warpConstants(warp, storeOf(method));
     constants[1] = analysis == Analysis::hybrid;

@@ -46,6 +46,7 @@ struct RasterPipelines {
 // Of a warp; those of two do the rows and then the columns.
 struct WarpPipelines {
   VkPipeline importance;                  // rectilinear alone; of samples, or of the light's map
+  std::array<VkPipeline, 2> smooth;       // rectilinear alone: across, and down
   std::array<VkPipeline, 2> count, pool;  // non-orthogonal alone
   std::array<VkPipeline, 2> functions;
   VkPipeline bounds, centres;  // bounds: non-orthogonal alone

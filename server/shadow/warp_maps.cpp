@@ -24,19 +24,12 @@ std::uint64_t boundsRows(std::uint64_t functions) {
   }
 }
 
-std::uint64_t samplesOf(const Method& method, const shared::FrameConstants& constants) {
-  const glm::uvec2 map = constants.settings.mapSize, image = constants.imageSize;
-  if (method.stages->warp == Warp::rectilinear && method.settings.analysis == Analysis::forward)
-    return std::uint64_t{map.x} * map.y;
-  return (std::uint64_t{image.x} * image.y + kPixelsPerInvocation - 1) / kPixelsPerInvocation;
-}
-
 }  // namespace
 
 WarpSizes warpSizesOf(Warp warp, const glm::uvec2& map) {
   const std::uint64_t w = map.x, h = map.y;
   if (warp == Warp::none) return {0, 0};
-  if (warp == Warp::rectilinear) return {w + h + w + 1 + h + 1, w + h};
+  if (warp == Warp::rectilinear) return {w + h + w + 1 + h + 1, 2 * (w + h)};
   return {(h + boundsRows(h)) * (w + 1) + w * (h + 1) + w * h, 2 * w * h};
 }
 
@@ -44,7 +37,9 @@ WarpMaps::WarpMaps(const Device& device, FramePipelines& pipelines, const Method
                    const shared::FrameConstants& constants)
     : warp_(method.stages->warp),
       map_(constants.settings.mapSize),
-      samples_(samplesOf(method, constants)),
+      forward_(warp_ == Warp::rectilinear && method.settings.analysis == Analysis::forward),
+      samples_((std::uint64_t{constants.imageSize.x} * constants.imageSize.y + kPixelsPerInvocation - 1) /
+               kPixelsPerInvocation),
       pipelines_(pipelines.warp(method)),
       tables_(device, Buffer(device, warpSizesOf(warp_, map_).tables * sizeof(glm::vec2), kTables),
               VK_FORMAT_R32G32_UINT, sizeof(glm::vec2)),
@@ -61,16 +56,19 @@ void WarpMaps::clear(VkCommandBuffer command) const {
   barrier(command);
 }
 
-void WarpMaps::dispatch(VkCommandBuffer command, VkPipeline pipeline, std::uint64_t invocations) const {
+void WarpMaps::dispatch(VkCommandBuffer command, VkPipeline pipeline, std::uint64_t invocations,
+                        std::uint32_t rows) const {
   vkCmdBindPipeline(command, VK_PIPELINE_BIND_POINT_COMPUTE, pipeline);
-  vkCmdDispatch(command, static_cast<std::uint32_t>((invocations + 63) / 64), 1, 1);
+  vkCmdDispatch(command, static_cast<std::uint32_t>((invocations + 63) / 64), rows, 1);
   barrier(command);
 }
 
 // Rectilinear.
 void WarpMaps::makeFunctions(VkCommandBuffer command) const {
-  dispatch(command, pipelines_.functions[0], 1);
-  dispatch(command, pipelines_.functions[1], 1);
+  for (const int down : {0, 1}) {
+    dispatch(command, pipelines_.smooth[down], down ? map_.y : map_.x);
+    dispatch(command, pipelines_.functions[down], 1);
+  }
   dispatch(command, pipelines_.centres, std::max(map_.x, map_.y));
 }
 
@@ -82,7 +80,7 @@ void WarpMaps::recordNone(VkCommandBuffer command) const {
 void WarpMaps::record(VkCommandBuffer command) const {
   clear(command);
   if (warp_ == Warp::rectilinear) {
-    dispatch(command, pipelines_.importance, samples_);
+    dispatch(command, pipelines_.importance, forward_ ? map_.x : samples_, forward_ ? map_.y : 1);
     makeFunctions(command);
     return;
   }

@@ -31,11 +31,12 @@ class WarpMaps {
  private:
   void clear(VkCommandBuffer) const;
   void makeFunctions(VkCommandBuffer) const;
-  void dispatch(VkCommandBuffer, VkPipeline, std::uint64_t invocations) const;
+  void dispatch(VkCommandBuffer, VkPipeline, std::uint64_t invocations, std::uint32_t rows = 1) const;
 
   Warp warp_;
   glm::uvec2 map_;
-  std::uint64_t samples_;  // invocations that look at all view samples, or at all texels of the light's map
+  bool forward_;           // looks at the light's map instead of the view samples
+  std::uint64_t samples_;  // invocations that look at all of those
   WarpPipelines pipelines_;
   TexelBuffer tables_;
   Buffer importance_;

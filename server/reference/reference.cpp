@@ -68,7 +68,7 @@ std::vector<glm::mat4x3> centredTransforms(const Scene& scene) {
 struct Reference::Impl {
   explicit Impl(std::shared_ptr<const Scene>);
   EmbreeScene makeScene() const;
-  EmbreeScene buildMesh(std::uint32_t mesh);
+  EmbreeScene buildMesh(std::uint32_t index);
   glm::dvec3 abovePlane(const shared::ViewSample&, const glm::dvec3& position) const;
   void tracePacket(const Packets&, std::size_t packet, std::span<const shared::ViewSample>, const FrameLight&,
                    const glm::dvec3& centreFromOrigin, std::span<float> visibility) const;

@@ -98,17 +98,6 @@ std::span<const StabilityCase> stabilityCases() {
                     .methods = "notw,texels=512,raster=pipeline notw,texels=512",
                     .measure = "wrong_rate",
                     .failsAbove = 0.05},
-      StabilityCase{.name = "rtw-shared-rows",
-                    .sentence =
-                        "Shadows' edges near the camera and far from it share rows and columns of the "
-                        "light's map: looked for from the light, they are important everywhere, and "
-                        "so nowhere; a function for each row and column tells them apart.",
-                    .scene = "builtin:trees",
-                    .view = "walk",
-                    .light = "sun",
-                    .methods = "rtw,texels=512,analysis=forward notw,texels=512",
-                    .measure = "wrong_rate",
-                    .failsAbove = 0.015},
       StabilityCase{.name = "pssm-uniform",
                     .sentence =
                         "A mixture of cuts that suits a view from afar, used close up: the nearest partition "

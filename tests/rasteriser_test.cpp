@@ -192,6 +192,7 @@ TEST_F(RasteriserTest, ATexelHoldsTheNearestDepthAndWhoseItIs) {
   for (const Soup& more :
        {quad({-0.5f, -0.5f, 0.75f}, {0.5f, 0, 0}, {0, 1, 0}), quad({-1, -1, 0.5f}, {2, 0, 0}, {0, 2, 0})})
     soup.positions.insert(soup.positions.end(), more.positions.begin(), more.positions.end());
+  soup.uvs.clear();
   const auto words = stage().draw(soup, Projection::parallel, {{{0, 0}, {64, 64}}}, {.ids = true});
   const auto at = [&](std::size_t x, std::size_t y) {
     float depth;

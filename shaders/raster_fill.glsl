@@ -10,8 +10,11 @@ void keep(uint index, float depth, uint id);
 // `texel` is counted in the image.
 void fillTexel(uint id, uint index, vec2 texel, Varying v, uint material) {
   if (kMasked) {
-    const vec4 a = fused(v.attributes[2], highPart(v.attributes[2]), texel.y,
-                         fused(v.attributes[1], highPart(v.attributes[1]), texel.x, v.attributes[0]));
+    // To the pipeline's last bit where there is a pipeline's map to agree with.
+    const vec4 a = kCoverage == kCoverCentre
+                       ? fused(v.attributes[2], highPart(v.attributes[2]), texel.y,
+                               fused(v.attributes[1], highPart(v.attributes[1]), texel.x, v.attributes[0]))
+                       : v.attributes[0] + v.attributes[1] * texel.x + v.attributes[2] * texel.y;
     precise const float w = 1 / a.w;
     if (isHole(materials[material], a.xy * w, vec4(1, 1, 1, a.z * w))) return;
   }

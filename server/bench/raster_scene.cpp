@@ -4,6 +4,7 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "bench/need.h"
 #include "scene/choose.h"
 #include "scene/load.h"
 #include "shadow/camera.h"
@@ -14,12 +15,6 @@ namespace sundial::bench {
 namespace {
 
 constexpr glm::uvec2 kSize{1024, 1024};  // of the view, whose samples fit some methods' maps
-
-template <class T>
-T need(Result<T> result) {
-  if (!result) throw std::runtime_error(result.error().message);
-  if constexpr (!std::is_void_v<T>) return std::move(*result);
-}
 
 std::optional<std::string> named(const std::string& name) {
   return name.empty() ? std::nullopt : std::optional(name);

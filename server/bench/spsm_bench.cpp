@@ -12,6 +12,7 @@
 #include <exception>
 #include <stdexcept>
 
+#include "bench/need.h"
 #include "renderer.h"
 #include "scene/choose.h"
 #include "scene/load.h"
@@ -23,12 +24,6 @@ namespace {
 
 constexpr std::string_view kBuiltin = "builtin:";
 constexpr std::array<glm::uvec2, 2> kPictures{{{1024, 1024}, {1920, 1080}}};
-
-template <class T>
-T need(Result<T> result) {
-  if (!result) throw std::runtime_error(result.error().message);
-  if constexpr (!std::is_void_v<T>) return std::move(*result);
-}
 
 // What the rows share; texels are those of one map.
 std::vector<std::string> methodsAt(int texels) {

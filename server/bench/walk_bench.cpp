@@ -9,6 +9,7 @@
 #include <exception>
 #include <fstream>
 
+#include "bench/need.h"
 #include "renderer.h"
 #include "scene/choose.h"
 #include "scene/load.h"
@@ -38,12 +39,6 @@ class Collector final : public JobSink {
   }
   Steps steps;
 };
-
-template <class T>
-T need(Result<T> result) {
-  if (!result) throw std::runtime_error(result.error().message);
-  if constexpr (!std::is_void_v<T>) return std::move(*result);
-}
 
 template <class Value>
 double median(const std::vector<Steps>& walk, std::size_t method, Value value) {

@@ -1,7 +1,5 @@
 #include "shadow/frame.h"
 
-#include <cstring>
-
 #include "gpu/rendering.h"
 #include "shadow/cube_faces.h"
 #include "shadow/minimal_frustum.h"
@@ -403,57 +401,6 @@ void Frame::shade(VkCommandBuffer command) const {
   });
 }
 
-void Frame::readSamples(VkCommandBuffer command) const {
-  for (const auto& [image, buffer] : {std::pair(&view_.target.positions, &*hostPositions_),
-                                      std::pair(&view_.target.normals, &*hostNormals_)})
-    copyToBuffer(command, *image, *buffer);
-}
-
-void Frame::trace() const {
-  std::vector<shared::ViewSample> samples(pixels(view_));
-  gatherSamples(hostPositions_->mapped<glm::uvec4>(), hostNormals_->mapped<glm::uvec4>(), samples);
-  view_.reference->trace(samples, view_.light, view_.origin,
-                         {hostVisibility_->mapped<float>(), static_cast<std::size_t>(pixels(view_))},
-                         view_.constants.imageSize.x);
-}
-
-void Frame::takeVisibility(VkCommandBuffer command) const {
-  copyToImage(command, *hostVisibility_, view_.target.visibility);
-}
-
-// How many volumes each view sample is in. What the camera sees of the caps is what it sees of the scene.
-void Frame::countVolumes(VkCommandBuffer command) const {
-  const auto drawing = [&](std::uint32_t slot) {
-    return [this, command, slot](VkPipeline caps) { drawSlot(command, slot, caps, caps, false); };
-  };
-  const bool ends = view_.constants.lightKind != shared::kLightDirectional;
-  if (ends) cullFarCaps(command);
-  bindings_.bind(command);
-  volumes_->count(command, view_.pipelines.layout.pipeline(), drawing(shared::kCameraSlot),
-                  ends ? drawing(1) : ShadowVolumes::DrawScene());
-}
-
-// Far caps lie at infinity: the camera sees those that it would see from the light's place.
-void Frame::cullFarCaps(VkCommandBuffer command) const {
-  shared::Plan plan{.viewCount = 1};
-  const glm::dmat4 clipFromWorld(view_.constants.clipFromWorld);
-  plan.views[0].shadowFromWorld = view_.constants.clipFromWorld;
-  plan.views[0].shadowFromWorld[3] =
-      clipFromWorld * glm::dvec4(-glm::dvec3(view_.constants.wsLightPosition), 0);
-  vkCmdUpdateBuffer(command, plan_, 0, sizeof plan, &plan);
-  barrier(command);
-  cull(command, 1, 1);
-}
-
-void Frame::resolveVolumes(VkCommandBuffer command) const {
-  bindings_.bind(command);
-  renderInto(command, {&view_.target.visibility}, nullptr, [&] {
-    vkCmdBindPipeline(command, VK_PIPELINE_BIND_POINT_GRAPHICS,
-                      view_.pipelines.fullscreen("resolve_volumes.frag", VK_FORMAT_R32_SFLOAT, {}));
-    vkCmdDraw(command, 3, 1, 0, 0);
-  });
-}
-
 void Frame::recordAnswers(VkCommandBuffer command) const {
   bindings_.bind(command);
   renderInto(command, {&view_.target.answers}, nullptr, [&] {
@@ -485,51 +432,6 @@ void Frame::drawSlot(VkCommandBuffer command, std::uint32_t slot, VkPipeline opa
 void Frame::push(VkCommandBuffer command, std::uint32_t value) const {
   vkCmdPushConstants(command, view_.pipelines.layout.pipeline(), VK_SHADER_STAGE_ALL, 0, sizeof value,
                      &value);
-}
-
-shared::Plan Frame::downloadPlan() const {
-  shared::Plan plan{};
-  if (!method_.stages) return plan;
-  const std::vector<std::byte> bytes = downloaded(view_.device, plan_);
-  std::memcpy(&plan, bytes.data(), sizeof plan);
-  return plan;
-}
-
-std::vector<float> Frame::downloadWarp() const {
-  return warp_ ? valuesOf<float>(downloaded(view_.device, warp_->tables())) : std::vector<float>();
-}
-
-std::vector<float> Frame::downloadDepths() const { return store_ ? store_->depths() : std::vector<float>(); }
-
-std::uint64_t Frame::storeTexels() const { return store_ ? store_->texels() : 0; }
-
-std::uint64_t Frame::storeBytes() const { return store_ ? store_->bytes() : 0; }
-
-std::uint64_t Frame::usedStoreBytes(const shared::Plan& plan) const {
-  const bool estimated = method_.stages && method_.stages->resolution == Resolution::estimated;
-  return estimated ? texelsOf(plan) * storeBytes() / storeTexels() : storeBytes();
-}
-
-std::uint64_t Frame::otherBytes() const {
-  std::uint64_t bytes = 0;
-  if (volumes_)
-    bytes += volumes_->bytes() + view_.edges->bytes() + commands_.size() + visible_.size() + counts_.size();
-  if (method_.stages)
-    bytes += analysis_.size() + plan_.size() + commands_.size() + visible_.size() + counts_.size();
-  if (warp_) bytes += warp_->bytes();
-  for (const auto* buffer :
-       {&hostPlan_, &hostCommands_, &hostCounts_, &hostPositions_, &hostNormals_, &hostVisibility_})
-    if (*buffer) bytes += (*buffer)->size();
-  return bytes;
-}
-
-void gatherSamples(const glm::uvec4* positions, const glm::uvec4* normals,
-                   std::span<shared::ViewSample> samples) {
-  static_assert(sizeof(shared::ViewSample) == 2 * sizeof(glm::uvec4));
-  for (std::size_t i = 0; i < samples.size(); ++i) {
-    std::memcpy(&samples[i], &positions[i], sizeof(glm::uvec4));
-    std::memcpy(&samples[i].wsNormal, &normals[i], sizeof(glm::uvec4));
-  }
 }
 
 }  // namespace sundial

@@ -6,13 +6,13 @@
 #extension GL_KHR_shader_subgroup_vote : require
 #include "light.glsl"
 #include "ordered.glsl"
+#include "shared/samples.h"
 #include "view_depth.glsl"
 
-layout(local_size_x = 64) in;
-const uint kPixelsPerThread = 16;
+layout(local_size_x = kSampleGroup) in;
 
 // Subgroups read neighbouring pixels, a row after another.
-uint firstPixel() { return gl_WorkGroupID.x * 64 * kPixelsPerThread + gl_LocalInvocationID.x; }
+uint firstPixel() { return gl_WorkGroupID.x * kSampleGroup * kSamplesPerInvocation + gl_LocalInvocationID.x; }
 uint pixelCount() { return frame.imageSize.x * frame.imageSize.y; }
 ViewSample sampleOf(uint pixel) {
   return sampleAt(ivec2(pixel % frame.imageSize.x, pixel / frame.imageSize.x));

@@ -10,8 +10,8 @@ layout(constant_id = 1) const bool kRadial = false;
 
 void main() {
   float low = 1e38, high = -1e38;
-  for (uint i = 0; i < kPixelsPerThread; ++i) {
-    const uint pixel = firstPixel() + i * 64;
+  for (uint i = 0; i < kSamplesPerInvocation; ++i) {
+    const uint pixel = firstPixel() + i * kSampleGroup;
     if (pixel >= pixelCount()) break;
     const ViewSample s = sampleOf(pixel);
     if (!facesLight(s)) continue;

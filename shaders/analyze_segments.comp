@@ -68,8 +68,8 @@ bool fades(ViewSample s, uint segment) {
 void main() {
   uint current = 0;
   Found found = kNothing;
-  for (uint i = 0; i < kPixelsPerThread; ++i) {
-    const uint pixel = firstPixel() + i * 64;
+  for (uint i = 0; i < kSamplesPerInvocation; ++i) {
+    const uint pixel = firstPixel() + i * kSampleGroup;
     if (pixel >= pixelCount()) break;
     const ViewSample s = sampleOf(pixel);
     if (!facesLight(s)) continue;

@@ -6,8 +6,8 @@
 
 void main() {
   float side = 0;
-  for (uint i = 0; i < kPixelsPerThread; ++i) {
-    const uint pixel = firstPixel() + i * 64;
+  for (uint i = 0; i < kSamplesPerInvocation; ++i) {
+    const uint pixel = firstPixel() + i * kSampleGroup;
     if (pixel >= pixelCount()) break;
     const ViewSample s = sampleOf(pixel);
     if (!facesLight(s)) continue;

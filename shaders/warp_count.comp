@@ -7,8 +7,8 @@
 layout(constant_id = 0) const bool kDown = false;
 
 void main() {
-  for (uint i = 0; i < kPixelsPerThread; ++i) {
-    const uint pixel = firstPixel() + i * 64;
+  for (uint i = 0; i < kSamplesPerInvocation; ++i) {
+    const uint pixel = firstPixel() + i * kSampleGroup;
     if (pixel >= pixelCount()) break;
     vec2 p;
     if (!positionOf(sampleOf(pixel), p)) continue;

@@ -23,8 +23,8 @@ bool isEdge(ivec2 pixel) {
 }
 
 void main() {
-  for (uint i = 0; i < kPixelsPerThread; ++i) {
-    const uint pixel = firstPixel() + i * 64;
+  for (uint i = 0; i < kSamplesPerInvocation; ++i) {
+    const uint pixel = firstPixel() + i * kSampleGroup;
     if (pixel >= pixelCount()) break;
     const ViewSample s = sampleOf(pixel);
     vec2 p;

@@ -5,6 +5,7 @@
 #include "shadow/minimal_frustum.h"
 #include "shadow/plan_settings.h"
 #include "shared/bindings.h"
+#include "shared/samples.h"
 
 namespace sundial {
 
@@ -238,7 +239,8 @@ void Frame::analyze(VkCommandBuffer command) const {
     vkCmdFillBuffer(command, analysis_, kZeros, zerosEnd - kZeros, 0);
     barrier(command);
   }
-  const std::uint32_t samples = groups(static_cast<std::uint32_t>(pixels(view_)), 64 * 16);
+  const std::uint32_t samples =
+      groups(static_cast<std::uint32_t>(pixels(view_)), shared::kSampleGroup * shared::kSamplesPerInvocation);
   if (cutsDepth(stages.partition)) {
     if (stages.volume == Volume::samples && stages.partition != Partition::manual)
       dispatch(command, pipelines_->analyzeDepths, samples);

@@ -2,6 +2,7 @@
 
 #include "gpu/rendering.h"
 #include "shared/bindings.h"
+#include "shared/samples.h"
 
 namespace sundial {
 
@@ -12,7 +13,6 @@ constexpr VkBufferUsageFlags kImportance =
 constexpr VkBufferUsageFlags kTables = VK_BUFFER_USAGE_STORAGE_BUFFER_BIT |
                                        VK_BUFFER_USAGE_UNIFORM_TEXEL_BUFFER_BIT |
                                        VK_BUFFER_USAGE_TRANSFER_SRC_BIT;
-constexpr std::uint64_t kPixelsPerInvocation = 16;
 
 // A row of bounds for each group of 8, 16, ... functions, until one group holds all: warp.glsl.
 std::uint64_t boundsRows(std::uint64_t functions) {
@@ -38,8 +38,9 @@ WarpMaps::WarpMaps(const Device& device, FramePipelines& pipelines, const Method
     : warp_(method.stages->warp),
       map_(constants.settings.mapSize),
       forward_(warp_ == Warp::rectilinear && method.settings.analysis == Analysis::forward),
-      samples_((std::uint64_t{constants.imageSize.x} * constants.imageSize.y + kPixelsPerInvocation - 1) /
-               kPixelsPerInvocation),
+      samples_(
+          (std::uint64_t{constants.imageSize.x} * constants.imageSize.y + shared::kSamplesPerInvocation - 1) /
+          shared::kSamplesPerInvocation),
       pipelines_(pipelines.warp(method)),
       tables_(device, Buffer(device, warpSizesOf(warp_, map_).tables * sizeof(glm::vec2), kTables),
               VK_FORMAT_R32G32_UINT, sizeof(glm::vec2)),

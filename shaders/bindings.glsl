@@ -30,6 +30,7 @@ layout(set = 0, binding = kBindPlanes) uniform samplerBuffer planeTexels;
 layout(set = 0, binding = kBindLinearTexels) uniform usamplerBuffer linearTexels;
 layout(set = 0, binding = kBindTables) uniform usamplerBuffer tableTexels;
 layout(set = 0, binding = kBindWarpTexels) uniform usamplerBuffer warpTexels;
+layout(set = 0, binding = kBindHeld) uniform usamplerBuffer heldTriangles;
 layout(set = 0, binding = kBindTextures) uniform sampler2DArray textures;
 layout(set = 0, binding = kBindDepth) uniform sampler2D gbufferDepth;
 layout(set = 0, binding = kBindIds) uniform usampler2D gbufferIds;
@@ -40,7 +41,6 @@ layout(set = 0, binding = kBindVisibility) uniform sampler2D visibility;
 layout(set = 0, binding = kBindMultisampled) uniform sampler2DMS multisampled;
 layout(set = 0, binding = kBindMoments) uniform sampler2DArray moments;
 layout(set = 0, binding = kBindBlurred) uniform sampler2DArray blurredAcross;
-layout(set = 0, binding = kBindHeld) uniform usampler2D heldTriangles;
 
 vec3 vertexPosition(uint vertex) { return uintBitsToFloat(texelFetch(vertexTexels, int(vertex)).xyz); }
 

@@ -6,6 +6,7 @@
 #include "choose_view.glsl"
 #include "receiver.glsl"
 #include "texel_triangle.glsl"
+#include "want_around.glsl"
 
 layout(location = 0) out float outVisibility;
 
@@ -13,10 +14,15 @@ float decided(ViewSample s) {
   if (!facesLight(s)) return 0;
   const Choice c = chooseView(s);
   if (c.view == kNoShadowView) return 1;
-  if (kBlend && c.nextWeight > 0) return kUndecided;  // two views answer
   const Receiver r = receiverIn(c.view, s);
   const ivec2 texel = texelIn(c.view, r.texel);
-  return litByOwn(heldIn(c.view, texel), r, r.texel - (vec2(texel) + 0.5));
+  const bool isBetween = kBlend && c.nextWeight > 0;  // two views answer
+  const float lit = isBetween ? kUndecided : litByOwn(heldIn(c.view, texel), r, r.texel - (vec2(texel) + 0.5));
+  if (kStore == kStoreTriangles && lit == kUndecided && wanted.moreReach > 0) {
+    wantAround(c.view, r.texel, wanted.moreReach);
+    if (isBetween) wantAround(c.next, receiverIn(c.next, s).texel, wanted.moreReach);
+  }
+  return lit;
 }
 
 void main() {

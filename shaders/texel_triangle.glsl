@@ -26,8 +26,7 @@ Held noTriangle() {
 
 Held unpacked(uint view, ivec2 texel) {
   Held held = noTriangle();
-  const uint index = indexInStore(view, texel);
-  const uvec4 packed_ = texelFetch(heldTriangles, ivec2(index % kHeldPitch, index / kHeldPitch), 0);
+  const uvec4 packed_ = texelFetch(heldTriangles, int(indexInStore(view, texel)));
   held.exists = packed_.w != 0;
   const vec2 size = vec2(plan.views[view].rectSize), centre = vec2(texel) + 0.5;
   for (int i = 0; i < 3; ++i) held.t.corners[i] = cornerOfCode(packed_[i]) * size - centre;

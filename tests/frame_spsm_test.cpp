@@ -1,6 +1,7 @@
 // Maps that hold triangles: shadows' edges finer than texels, what decides about a sample, and with which
 // other stages it goes.
 #include "shared/choices.h"
+#include "shared/wanted.h"
 #include "support/rendering.h"
 
 namespace sundial::test {
@@ -125,10 +126,15 @@ TEST_F(FrameSpsm, SaysWhatItAnsweredFrom) {
 // 16 bytes a texel, and 8 while it is drawn.
 TEST_F(FrameSpsm, SaysWhatMemoryItTakes) {
   const auto scene = builtin("grid");
-  const auto r = render(jobOf(scene, viewOf(*scene, "main"), lightOf(*scene, "sun"), {32, 32},
-                              {"spsm,texels=1024", "spsm,texels=1024,storage=depth-id"}));
-  EXPECT_EQ(r[0].result.storeBytes, 24u << 20);
-  EXPECT_EQ(r[1].result.storeBytes, 8u << 20);
+  const auto r = render(
+      jobOf(scene, viewOf(*scene, "main"), lightOf(*scene, "sun"), {64, 64},
+            {"spsm,texels=64", "spsm,texels=1024", "spsm,texels=1024,storage=depth-id", "rgsm,texels=1024"}));
+  EXPECT_EQ(r[0].result.storeBytes, 24u << 12);
+  // With more texels than samples a list says which are packed: 4 bytes a texel and a bit.
+  const std::uint64_t listed = (28u << 20) + (1u << 17) + sizeof(shared::WantedTexels);
+  EXPECT_EQ(r[1].result.storeBytes, listed);
+  EXPECT_EQ(r[2].result.storeBytes, 8u << 20);
+  EXPECT_EQ(r[3].result.storeBytes, listed);
 }
 
 // A texel holds its triangle from both sides of a map's rim.

@@ -20,8 +20,9 @@ struct EmbeddedShader {
 VkDescriptorType typeOf(std::uint32_t binding) {
   if (binding == shared::kBindFrame) return VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER;
   if (binding < shared::kStorageBindings) return VK_DESCRIPTOR_TYPE_STORAGE_BUFFER;
-  return binding < shared::kTexelBindings ? VK_DESCRIPTOR_TYPE_UNIFORM_TEXEL_BUFFER
-                                          : VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER;
+  if (binding < shared::kTexelBindings) return VK_DESCRIPTOR_TYPE_UNIFORM_TEXEL_BUFFER;
+  return binding < shared::kStorageTexelBindings ? VK_DESCRIPTOR_TYPE_STORAGE_TEXEL_BUFFER
+                                                 : VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER;
 }
 
 ShaderModule makeModule(const Device& device, std::string_view file) {
@@ -89,7 +90,8 @@ BindingSet::BindingSet(const Device& device, const BindingLayout& layout)
       {VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER, 1},
       {VK_DESCRIPTOR_TYPE_STORAGE_BUFFER, shared::kStorageBindings - 1},
       {VK_DESCRIPTOR_TYPE_UNIFORM_TEXEL_BUFFER, shared::kTexelBindings - shared::kStorageBindings},
-      {VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER, shared::kBindCount - shared::kTexelBindings}};
+      {VK_DESCRIPTOR_TYPE_STORAGE_TEXEL_BUFFER, shared::kStorageTexelBindings - shared::kTexelBindings},
+      {VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER, shared::kBindCount - shared::kStorageTexelBindings}};
   const VkDescriptorPoolCreateInfo info{.sType = VK_STRUCTURE_TYPE_DESCRIPTOR_POOL_CREATE_INFO,
                                         .maxSets = 1,
                                         .poolSizeCount = std::size(sizes),

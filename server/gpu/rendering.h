@@ -12,12 +12,12 @@ namespace sundial {
 // and scissor cover it and culling is off until `draw` says otherwise.
 void renderInto(VkCommandBuffer, const std::vector<const GpuImage*>& colours, const GpuImage* depth,
                 const std::function<void()>& draw);
-// The same into the first level of one layer of an array; the others stay as they are.
+// The same onto what they hold already.
+void renderOnto(VkCommandBuffer, const std::vector<const GpuImage*>& colours, const GpuImage* depth,
+                const std::function<void()>& draw);
+// As renderInto(), the first level of one layer of an array; the others stay as they are.
 void renderIntoLayer(VkCommandBuffer, const GpuImage& array, std::uint32_t layer,
                      const std::function<void()>& draw);
-// The same onto what an image holds already, or a depth image.
-void renderOnto(VkCommandBuffer, const GpuImage&, const std::function<void()>& draw);
-void renderOntoDepth(VkCommandBuffer, const GpuImage&, const std::function<void()>& draw);
 
 // Draws without attachments: what fragment shaders write to buffers is all that stays. The area begins at 0,
 // 0.

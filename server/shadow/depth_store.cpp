@@ -37,7 +37,7 @@ void DepthStore::record(VkCommandBuffer command, const DrawView& draw) const {
   }
   // Clearing costs what is cleared, so only what the plan uses is.
   const auto views = static_cast<std::uint32_t>(maps_.size());
-  renderOntoDepth(command, image_, [&] {
+  renderOnto(command, {}, &image_, [&] {
     drawPlaced(command, viewport_, image_.extent(), views, [&](std::uint32_t view) {
       vkCmdPushConstants(command, layout_, VK_SHADER_STAGE_ALL, 0, sizeof view, &view);
       vkCmdBindPipeline(command, VK_PIPELINE_BIND_POINT_GRAPHICS, clear_);

@@ -95,7 +95,9 @@ void Frame::bindTo(BindingSet& bindings, const ViewTarget& samples) const {
   bindings.set(shared::kBindCounts, counts_);
   bindings.set(shared::kBindSilhouette, analysis_);
   bindings.set(shared::kBindTables, view_.pipelines.tables);
-  bindings.set(shared::kBindHeld, samples.normals, nearest_);  // unread, unless a store has triangles
+  // Unread, unless a store has triangles.
+  for (const std::uint32_t binding : {shared::kBindHeld, shared::kBindHeldWritten})
+    bindings.set(binding, unread_);
   if (volumes_) return volumes_->bindTo(bindings);
   if (!store_) return bindNoStore(bindings, samples.visibility, nearest_, unread_);
   store_->bindTo(bindings);
@@ -353,10 +355,11 @@ void Frame::takeHostDraws(VkCommandBuffer command) const {
 void Frame::filter(VkCommandBuffer command) const {
   bindings_.bind(command);
   store_->filter(command);
+  store_->gather(command, static_cast<std::uint32_t>(pixels(view_)));
 }
 
 // How lit each view sample is.
-void Frame::resolve(VkCommandBuffer command) const { recordLookup(command, view_.target, bindings_); }
+void Frame::resolve(VkCommandBuffer command) const { lookUp(command, view_.target, bindings_); }
 
 BindingSet Frame::bindingsAt(const ViewTarget& points) const {
   BindingSet bindings(view_.device, view_.pipelines.layout);
@@ -366,6 +369,12 @@ BindingSet Frame::bindingsAt(const ViewTarget& points) const {
 
 void Frame::recordLookup(VkCommandBuffer command, const ViewTarget& points,
                          const BindingSet& bindings) const {
+  bindings.bind(command);
+  store_->gather(command, points.size().x * points.size().y);
+  lookUp(command, points, bindings);
+}
+
+void Frame::lookUp(VkCommandBuffer command, const ViewTarget& points, const BindingSet& bindings) const {
   const auto draw = [&](VkPipeline pipeline) {
     vkCmdBindPipeline(command, VK_PIPELINE_BIND_POINT_GRAPHICS, pipeline);
     vkCmdDraw(command, 3, 1, 0, 0);
@@ -375,8 +384,9 @@ void Frame::recordLookup(VkCommandBuffer command, const ViewTarget& points,
     renderInto(command, {&points.visibility}, nullptr, [&] { draw(pipelines_->resolve); });
     return;
   }
-  renderInto(command, {&points.visibility}, &points.undecided, [&] {
-    draw(pipelines_->resolveFirst);
+  renderInto(command, {&points.visibility}, &points.undecided, [&] { draw(pipelines_->resolveFirst); });
+  store_->gatherMore(command);
+  renderOnto(command, {&points.visibility}, &points.undecided, [&] {
     // Between what is decided, at 1, and what isn't, at 0.
     const auto [width, height] = points.visibility.extent();
     const VkViewport between{0, 0, static_cast<float>(width), static_cast<float>(height), 0.5f, 0.5f};

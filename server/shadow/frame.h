@@ -94,6 +94,7 @@ class Frame {
   std::vector<Work> storeWork() const;
   void filter(VkCommandBuffer) const;
   void resolve(VkCommandBuffer) const;
+  void lookUp(VkCommandBuffer, const ViewTarget& points, const BindingSet&) const;
   void shade(VkCommandBuffer) const;
   void readSamples(VkCommandBuffer) const;
   void trace() const;

@@ -280,6 +280,13 @@ VkPipeline FramePipelines::classify(const Method& method) {
                     resolveConstants(method, shared::kAnswerOneTriangle));
 }
 
+VkPipeline FramePipelines::want(const Method& method) {
+  Specialization constants = lookupConstants(method);
+  // The first of two rounds reads a sample's own texel alone.
+  if (method.stages->lookup != Lookup::spsm) constants[4] = method.settings.kernel / 2;
+  return compute("want_triangles.comp", constants);
+}
+
 WarpPipelines FramePipelines::warp(const Method& method) {
   const Warp warp = method.stages->warp;
   const auto both = [&](std::string_view shader) {

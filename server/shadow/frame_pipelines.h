@@ -60,6 +60,7 @@ class FramePipelines {
   MethodPipelines of(const Method&);
   // How lookup=spsm answers, in the numbers of shared/choices.h, in the place of what it answers.
   VkPipeline classify(const Method&);
+  VkPipeline want(const Method&);  // storage=triangle: lists the texels that its lookups begin with
   RasterPipelines raster(const RasterChoice&, bool opaque, bool masked);
   WarpPipelines warp(const Method&);
   // The same for passes beside the stages.

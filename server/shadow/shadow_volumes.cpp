@@ -103,7 +103,7 @@ void ShadowVolumes::count(VkCommandBuffer command, VkPipelineLayout layout, cons
     vkCmdPushConstants(command, layout, VK_SHADER_STAGE_ALL, 0, sizeof batch, &batch);
     vkCmdDispatch(command, (batch.draws + 63) / 64, 1, 1);
     barrier(command);
-    renderOnto(command, counts_, [&] {
+    renderOnto(command, {&counts_}, nullptr, [&] {
       vkCmdBindPipeline(command, VK_PIPELINE_BIND_POINT_GRAPHICS, sides_);
       vkCmdDrawIndirect(command, silhouette_, 0, 1, 0);
     });

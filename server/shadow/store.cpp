@@ -113,7 +113,7 @@ void bindNoStore(BindingSet& bindings, const GpuImage& unread, VkSampler sampler
     bindings.set(binding, unread, sampler);
   for (const std::uint32_t binding :
        {shared::kBindLinear, shared::kBindRaster, shared::kBindListed, shared::kBindParts, shared::kBindBands,
-        shared::kBindWarps, shared::kBindImportance})
+        shared::kBindWarps, shared::kBindImportance, shared::kBindWanted})
     bindings.set(binding, static_cast<const Buffer&>(unreadToo));
   for (const std::uint32_t binding : {shared::kBindLinearTexels, shared::kBindWarpTexels})
     bindings.set(binding, unreadToo);
@@ -121,7 +121,9 @@ void bindNoStore(BindingSet& bindings, const GpuImage& unread, VkSampler sampler
 
 TexelBuffer unreadBuffer(const Device& device) {
   return {device,
-          Buffer(device, 0, VK_BUFFER_USAGE_STORAGE_BUFFER_BIT | VK_BUFFER_USAGE_UNIFORM_TEXEL_BUFFER_BIT),
+          Buffer(device, 0,
+                 VK_BUFFER_USAGE_STORAGE_BUFFER_BIT | VK_BUFFER_USAGE_UNIFORM_TEXEL_BUFFER_BIT |
+                     VK_BUFFER_USAGE_STORAGE_TEXEL_BUFFER_BIT),
           VK_FORMAT_R32_UINT, 4};
 }
 

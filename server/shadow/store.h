@@ -41,6 +41,10 @@ class Store {
   // Makes of drawn maps what lookups read, in a pass of its own.
   virtual std::string_view filterName() const { return {}; }  // empty: there is none
   virtual void filter(VkCommandBuffer) const {}
+  // The rest of that, for the lookups of so many view samples, which are bound; and, between the two rounds
+  // of a lookup, for the second.
+  virtual void gather(VkCommandBuffer, std::uint32_t /*samples*/) const {}
+  virtual void gatherMore(VkCommandBuffer) const {}
   // Takes the memory that this plan needs, where sizes are the plan's: what was bound before is gone.
   virtual void fit(const shared::Plan&) {}
   virtual void bindTo(BindingSet&) const = 0;

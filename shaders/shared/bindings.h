@@ -23,37 +23,41 @@ SUNDIAL_CONST kBindBands = 12u;       // RasterBand[]
 SUNDIAL_CONST kBindSilhouette = 13u;  // SilhouetteDraw, SilhouetteEdge[]: shadow volumes
 SUNDIAL_CONST kBindWarps = 14u;       // float[]: the warp's tables, warp.glsl
 SUNDIAL_CONST kBindImportance = 15u;  // uint[]: what they are made from
-SUNDIAL_CONST kStorageBindings = 16u;
+SUNDIAL_CONST kBindWanted = 16u;      // WantedTexels, uint[]: what lookups of packed triangles read
+SUNDIAL_CONST kStorageBindings = 17u;
 
 // Read at random, so through texel buffers: lavapipe gathers a whole texel at once, but a storage buffer's
 // words one by one and lane by lane.
-SUNDIAL_CONST kBindVertices = 16u;      // RGBA32UI: Vertex
-SUNDIAL_CONST kBindAttributes = 17u;    // RGBA32UI: Attributes
-SUNDIAL_CONST kBindTriangles = 18u;     // RGBA32UI: Triangle
-SUNDIAL_CONST kBindDraws = 19u;         // RG32UI: Draw
-SUNDIAL_CONST kBindInstances = 20u;     // RGBA32F: a row of Instance
-SUNDIAL_CONST kBindLinearTexels = 21u;  // R32UI or RG32UI: what kBindLinear holds
+SUNDIAL_CONST kBindVertices = 17u;      // RGBA32UI: Vertex
+SUNDIAL_CONST kBindAttributes = 18u;    // RGBA32UI: Attributes
+SUNDIAL_CONST kBindTriangles = 19u;     // RGBA32UI: Triangle
+SUNDIAL_CONST kBindDraws = 20u;         // RG32UI: Draw
+SUNDIAL_CONST kBindInstances = 21u;     // RGBA32F: a row of Instance
+SUNDIAL_CONST kBindLinearTexels = 22u;  // R32UI or RG32UI: what kBindLinear holds
 // Of shadow volumes, of lookups of triangles, and of warps alone:
-SUNDIAL_CONST kBindEdges = 22u;         // RGBA32UI: Edge
-SUNDIAL_CONST kBindEdgeSides = 23u;     // R32UI: triangles about edges
-SUNDIAL_CONST kBindClusterEdges = 24u;  // RG32UI: first and number of the edges of a cluster
-SUNDIAL_CONST kBindPlanes = 25u;        // RGBA32F: a triangle's plane, mesh space
-SUNDIAL_CONST kBindTables = 26u;        // RG32UI: slopes and patterns, lookup_tables.h
-SUNDIAL_CONST kBindWarpTexels = 27u;    // RG32UI: bits of the floats that kBindWarps holds
-SUNDIAL_CONST kTexelBindings = 28u;
+SUNDIAL_CONST kBindEdges = 23u;         // RGBA32UI: Edge
+SUNDIAL_CONST kBindEdgeSides = 24u;     // R32UI: triangles about edges
+SUNDIAL_CONST kBindClusterEdges = 25u;  // RG32UI: first and number of the edges of a cluster
+SUNDIAL_CONST kBindPlanes = 26u;        // RGBA32F: a triangle's plane, mesh space
+SUNDIAL_CONST kBindTables = 27u;        // RG32UI: slopes and patterns, lookup_tables.h
+SUNDIAL_CONST kBindWarpTexels = 28u;    // RG32UI: bits of the floats that kBindWarps holds
+SUNDIAL_CONST kBindHeld = 29u;          // RGBA32UI: packed triangles, storage=triangle
+SUNDIAL_CONST kTexelBindings = 30u;
 
-SUNDIAL_CONST kBindTextures = 28u;      // sampler2DArray: base colour
-SUNDIAL_CONST kBindDepth = 29u;         // sampler2D: the G-buffer's depth
-SUNDIAL_CONST kBindIds = 30u;           // usampler2D: the G-buffer's draw and triangle
-SUNDIAL_CONST kBindPositions = 31u;     // usampler2D: view samples, position's bits and instance
-SUNDIAL_CONST kBindNormals = 32u;       // usampler2D: view samples, normal's bits and triangle
-SUNDIAL_CONST kBindStore = 33u;         // sampler2D: the shadow maps
-SUNDIAL_CONST kBindVisibility = 34u;    // sampler2D: what resolve wrote
-SUNDIAL_CONST kBindMultisampled = 35u;  // sampler2DMS: the depths of one view, storage=moments
-SUNDIAL_CONST kBindMoments = 36u;       // sampler2DArray: a layer a view
-SUNDIAL_CONST kBindBlurred = 37u;       // sampler2DArray: a view half-way through its blur
-SUNDIAL_CONST kBindHeld = 38u;          // usampler2D: packed triangles, storage=triangle
-SUNDIAL_CONST kBindCount = 39u;
+SUNDIAL_CONST kBindHeldWritten = 30u;  // the same, as pack_triangles.comp writes it
+SUNDIAL_CONST kStorageTexelBindings = 31u;
+
+SUNDIAL_CONST kBindTextures = 31u;      // sampler2DArray: base colour
+SUNDIAL_CONST kBindDepth = 32u;         // sampler2D: the G-buffer's depth
+SUNDIAL_CONST kBindIds = 33u;           // usampler2D: the G-buffer's draw and triangle
+SUNDIAL_CONST kBindPositions = 34u;     // usampler2D: view samples, position's bits and instance
+SUNDIAL_CONST kBindNormals = 35u;       // usampler2D: view samples, normal's bits and triangle
+SUNDIAL_CONST kBindStore = 36u;         // sampler2D: the shadow maps
+SUNDIAL_CONST kBindVisibility = 37u;    // sampler2D: what resolve wrote
+SUNDIAL_CONST kBindMultisampled = 38u;  // sampler2DMS: the depths of one view, storage=moments
+SUNDIAL_CONST kBindMoments = 39u;       // sampler2DArray: a layer a view
+SUNDIAL_CONST kBindBlurred = 40u;       // sampler2DArray: a view half-way through its blur
+SUNDIAL_CONST kBindCount = 41u;
 
 SUNDIAL_SHARED_END
 #endif

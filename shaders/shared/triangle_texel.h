@@ -16,7 +16,6 @@ SUNDIAL_CONST_FLOAT kDepthSteps = 65533.0f;
 SUNDIAL_CONST kDepthBefore = 65535u;
 SUNDIAL_CONST_FLOAT kBefore = 2.0f;  // its depth
 SUNDIAL_CONST kSlopeCodes = 256u;
-SUNDIAL_CONST kHeldPitch = 4096u;  // texels in a row of the image that holds all maps, one behind the other
 SUNDIAL_CONST_FLOAT kHalfPi = 1.57079632679f;
 
 // A triangle on a map: x and y in [0, 1] across the map, depth in [0, 1], greater is nearer to the light.

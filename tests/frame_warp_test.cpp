@@ -3,16 +3,14 @@
 #include <algorithm>
 #include <cmath>
 
-#include "shadow/camera.h"
-#include "shadow/frame.h"
-#include "shadow/frame_runner.h"
+#include "bench/warped_samples.h"
 #include "support/rendering.h"
 
 namespace sundial::test {
 namespace {
 
+using bench::Warped;
 using glm::dvec2;
-using glm::dvec3;
 
 // Ground, and a curtain of two triangles above it.
 std::shared_ptr<const Scene> curtain() {
@@ -28,59 +26,9 @@ std::shared_ptr<const Scene> curtain() {
 }
 const View kBesideTheCurtain{.eye = {-9, 1.7, 12}, .target = {2, 0.5, -6}, .verticalFovDegrees = 60};
 
-// What a frame leaves on the device, on the host; and the warp as warp.glsl has it.
-struct Warped {
-  glm::uvec2 size{0};
-  std::size_t rows = 1, columns = 1;  // functions across and down
-  std::vector<float> tables;          // pairs
-  std::vector<float> values;          // of functions: the first of each pair behind the centres
-  std::vector<dvec2> samples;         // positions in the map before the warp, texels
-
-  const float* across(std::size_t row) const { return &values[row * (size.x + 1)]; }
-  const float* down(std::size_t column) const { return across(rows) + column * (size.y + 1); }
-  dvec2 centre(unsigned x, unsigned y) const {
-    if (rows == 1) return {tables[2 * x], tables[2 * (size.x + y)]};
-    const float* at = &tables[2 * (y * size.x + x)];
-    return {at[0], at[1]};
-  }
-  static double valueAt(const float* table, double position, unsigned last) {
-    const double at = std::clamp(position, 0.0, double(last));
-    const auto k = std::min(static_cast<unsigned>(at), last - 1);
-    return std::lerp(double(table[k]), double(table[k + 1]), at - k);
-  }
-  template <class Table>
-  static double between(Table table, std::size_t count, double beside, double position, unsigned last) {
-    const double at = std::clamp(beside - 0.5, 0.0, double(count - 1));
-    const auto first = static_cast<std::size_t>(at);
-    return std::lerp(valueAt(table(first), position, last),
-                     valueAt(table(std::min(first + 1, count - 1)), position, last), at - double(first));
-  }
-  dvec2 operator()(const dvec2& p) const {
-    const double x = between([&](std::size_t f) { return across(f); }, rows, p.y, p.x, size.x);
-    return {x, between([&](std::size_t f) { return down(f); }, columns, x, p.y, size.y)};
-  }
-};
-
-// Samples in each texel, row by row.
-std::vector<double> countsOf(const std::vector<dvec2>& positions, const glm::uvec2& size) {
-  std::vector<double> counts(std::size_t{size.x} * size.y);
-  for (const dvec2& p : positions) {
-    const glm::uvec2 texel = glm::min(glm::uvec2(p), size - 1u);
-    ++counts[std::size_t{texel.y} * size.x + texel.x];
-  }
-  return counts;
-}
-
-double variation(const std::vector<double>& counts) {
-  double sum = 0, squares = 0;
-  for (const double c : counts) sum += c, squares += c * c;
-  const double mean = sum / double(counts.size());
-  return std::sqrt(squares / double(counts.size()) - mean * mean) / mean;
-}
-
 class FrameWarp : public RendererTest {
  protected:
-  static Warped warp(const std::shared_ptr<const Scene>& scene, const View& view, Light light,
+  static Warped warp(const std::shared_ptr<const Scene>& scene, const View& view, const Light& light,
                      const glm::uvec2& image, std::string_view text) {
     static const auto device = [] {
       auto made = Device::create("", true);
@@ -88,53 +36,9 @@ class FrameWarp : public RendererTest {
       return std::move(*made);
     }();
     static FramePipelines pipelines(*device);
-    SceneBuffers buffers(*device, scene);
-    const ViewTarget target(*device, image);
-    const dvec3 origin = frameOrigin(*scene, view);
-    buffers.moveTo(*device, origin);
-    light.direction = glm::normalize(light.direction);
-    const FrameView frameView{.device = *device,
-                              .pipelines = pipelines,
-                              .scene = buffers,
-                              .target = target,
-                              .reference = nullptr,
-                              .light = light,
-                              .origin = origin,
-                              .constants = frameConstants(*scene, view, light, image, origin)};
-    const Method chosen = method(text);
-    Frame frame(frameView, chosen);
-    if (const auto run = runFrame(*device, frame.passes(), {}); !run)
-      throw std::runtime_error(run.error().message);
-
-    const shared::Plan plan = frame.downloadPlan();
-    const bool each = chosen.stages->warp == Warp::nonOrthogonal;
-    Warped out{.size = plan.views[0].rectSize,
-               .rows = each ? plan.views[0].rectSize.y : 1,
-               .columns = each ? plan.views[0].rectSize.x : 1,
-               .tables = frame.downloadWarp(),
-               .values = {},
-               .samples = {}};
-    const std::size_t centres = each ? std::size_t{out.size.x} * out.size.y : out.size.x + out.size.y;
-    for (std::size_t i = 2 * centres; i < out.tables.size(); i += 2) out.values.push_back(out.tables[i]);
-    const auto positions = valuesOf<glm::uvec4>(downloaded(*device, target.positions, sizeof(glm::uvec4)));
-    const auto normals = valuesOf<glm::uvec4>(downloaded(*device, target.normals, sizeof(glm::uvec4)));
-    std::vector<shared::ViewSample> samples(positions.size());
-    gatherSamples(positions.data(), normals.data(), samples);
-    std::vector<std::uint8_t> faces(samples.size());
-    facesLight(samples, light, origin, faces);
-    const dvec2 low(plan.views[0].lsMin), high(plan.views[0].lsMax);
-    for (std::size_t i = 0; i < samples.size(); ++i) {
-      if (!faces[i]) continue;
-      const glm::dvec4 ls = glm::dmat4(plan.lightFromWorld) * glm::dvec4(dvec3(samples[i].wsPosition), 1);
-      const dvec2 share = (dvec2(ls) / ls.w - low) / (high - low);
-      out.samples.push_back(dvec2(share.x, 1 - share.y) * dvec2(out.size));
-    }
+    const bench::FrameScene sight(*device, pipelines, {scene, view, light}, image);
+    Warped out = bench::warpedOf(sight, method(text));
     EXPECT_EQ(device->validationMessages(), 0u);
-    return out;
-  }
-  static std::vector<dvec2> moved(const Warped& w) {
-    std::vector<dvec2> out;
-    for (const dvec2& p : w.samples) out.push_back(w(p));
     return out;
   }
 };
@@ -188,7 +92,7 @@ TEST_F(FrameWarp, RunningSumsAreThoseOfAPlainLoop) {
   for (const unsigned window : {1u, 9u, 33u, 1000u}) {
     const Warped w = warp(scene, viewOf(*scene, "main"), lightOf(*scene, "sun"), {400, 300},
                           fmt::format("notw,texels=96x64,power=1,even=0.25,window={}", window));
-    const std::vector<double> counts = countsOf(w.samples, w.size);
+    const std::vector<double> counts = countsBefore(w);
     double worst = 0;
     for (int row = 0; row < int(w.size.y); ++row) {
       std::vector<double> sums(w.size.x + 1);
@@ -232,9 +136,8 @@ TEST_F(FrameWarp, SamplesSpreadOverTheTexels) {
       return warp(scene, viewOf(*scene, p.view), lightOf(*scene, p.light), {1024, 1024}, text);
     };
     const Warped w = of("notw,texels=256,power=1,even=0.05,window=5"), mild = of("notw,texels=256");
-    const double before = variation(countsOf(w.samples, w.size)),
-                 after = variation(countsOf(moved(w), w.size));
-    const double afterMild = variation(countsOf(moved(mild), w.size));
+    const double before = bench::variation(countsBefore(w)), after = bench::variation(countsAfter(w));
+    const double afterMild = bench::variation(countsAfter(mild));
     EXPECT_LT(after, before / 3) << p.scene;
     EXPECT_LT(afterMild, 0.7 * before) << p.scene;
   }

@@ -7,14 +7,12 @@
 
 #include "bench/json.h"
 #include "bench/options.h"
+#include "bench/place.h"
 #include "scene/choose.h"
-#include "scene/load.h"
 
 namespace sundial::bench {
 
 namespace {
-
-constexpr std::string_view kBuiltin = "builtin:";
 
 class Printer final : public JobSink {
  public:
@@ -29,13 +27,6 @@ class Printer final : public JobSink {
  private:
   const Case case_;
 };
-
-Result<Scene> loadScene(const std::string& reference) {
-  if (reference.starts_with(kBuiltin)) return makeBuiltin(reference.substr(kBuiltin.size()));
-  const auto files = readSceneFiles(reference);
-  if (!files) return std::unexpected(files.error());
-  return parseGltf(*files);
-}
 
 Result<void> measureAll(Options options) {
   const auto renderer = Renderer::create(options.device, options.validation);

@@ -6,21 +6,25 @@
 //   time SCENE VIEW LIGHT RUNS METHOD...   the store passes of these methods, against the first
 #include <fmt/format.h>
 
-#include <cstdlib>
-#include <exception>
 #include <string_view>
 
 #include "bench/fragment_store.h"
-#include "bench/raster_scene.h"
+#include "bench/frame_scene.h"
+#include "bench/map_comparison.h"
+#include "bench/program.h"
 #include "shadow/linear_store.h"
 
 namespace sundial::bench {
 
 namespace {
 
-struct Place {
-  const char *scene, *view, *light;
-};
+constexpr glm::uvec2 kSize{1024, 1024};  // of the view, whose samples fit some methods' maps
+
+// Of a built-in scene, without "builtin:".
+FrameScene sceneAt(const Device& device, FramePipelines& pipelines, Place place) {
+  place.scene = "builtin:" + place.scene;
+  return {device, pipelines, sightOf(place), kSize};
+}
 
 std::unique_ptr<Store> conservative(const Device& device, FramePipelines& pipelines, const Method& method,
                                     const shared::FrameConstants& constants) {
@@ -39,7 +43,7 @@ std::unique_ptr<Store> byGeometryShader(const Device& device, FramePipelines& pi
 }
 
 // One map of the whole scene: by the pipeline, by compute, with triangles, and conservatively.
-void printPayloads(const Device& device, const RasterScene& scene, const Place& place, int runs) {
+void printPayloads(const Device& device, const FrameScene& scene, const Place& place, int runs) {
   for (const int texels : {512, 1024, 2048, 4096}) {
     const auto pipeline = scene.frame(fmt::format("sm,texels={},raster=pipeline", texels));
     const std::string text = fmt::format("sm,texels={},raster=compute", texels);
@@ -54,7 +58,7 @@ void printPayloads(const Device& device, const RasterScene& scene, const Place& 
   }
 }
 
-void printChoices(const Device& device, const RasterScene& scene, const Place& place, int runs) {
+void printChoices(const Device& device, const FrameScene& scene, const Place& place, int runs) {
   for (const char* row : {"sm", "csm", "sdsm-log", "dv"})
     for (const int texels : {256, 512, 1024, 2048}) {
       const auto frame = [&](const char* raster) {
@@ -71,7 +75,7 @@ void printChoices(const Device& device, const RasterScene& scene, const Place& p
     }
 }
 
-void printTiles(const Device& device, const RasterScene& scene, const Place& place, int runs) {
+void printTiles(const Device& device, const FrameScene& scene, const Place& place, int runs) {
   const auto cascades = scene.frame("csm"), tiles = scene.frame("iasm"),
              papers = scene.frame("iasm", byFragments);
   const auto ms = storeTimes(device, {cascades.get(), tiles.get(), papers.get()}, runs);
@@ -82,7 +86,7 @@ void printTiles(const Device& device, const RasterScene& scene, const Place& pla
 int printRatios(const Device& device, FramePipelines& pipelines, int runs) {
   for (const Place& place :
        {Place{"atrium", "main", "sun"}, {"trees", "walk", "sun"}, {"village", "fence", "noon"}}) {
-    const RasterScene scene(device, pipelines, place.scene, place.view, place.light);
+    const FrameScene scene = sceneAt(device, pipelines, place);
     printPayloads(device, scene, place, runs);
     printTiles(device, scene, place, runs);
     printChoices(device, scene, place, runs);
@@ -94,7 +98,7 @@ int printRatios(const Device& device, FramePipelines& pipelines, int runs) {
 int printConservative(const Device& device, FramePipelines& pipelines, int runs) {
   if (!device.hasGeometryShaders()) throw std::runtime_error("this device has no geometry shaders");
   for (const char* name : {"knot", "grid", "city"}) {
-    const RasterScene scene(device, pipelines, name, "", "");
+    const FrameScene scene = sceneAt(device, pipelines, {name});
     for (const int texels : {512, 1024, 2048, 4096}) {
       const std::string text = fmt::format("sm,texels={},raster=compute", texels);
       const auto plain = scene.frame(text), byCompute = scene.frame(text, conservative),
@@ -125,7 +129,7 @@ int check(const Device& device, FramePipelines& pipelines) {
                              {"knot", "", ""},
                              {"city", "", ""},
                              {"grid", "low", "low"}}) {
-    const RasterScene scene(device, pipelines, place.scene, place.view, place.light);
+    const FrameScene scene = sceneAt(device, pipelines, place);
     for (const char* row : {"sm", "sdsm-log", "csm"})
       for (const int texels : {512, 1024, 2048, 4096}) {
         const auto frame = [&](const char* raster) {
@@ -149,35 +153,33 @@ int check(const Device& device, FramePipelines& pipelines) {
   return same ? 0 : 1;
 }
 
-int time(const Device& device, FramePipelines& pipelines, int argc, char** argv) {
-  const RasterScene scene(device, pipelines, argv[2], argv[3], argv[4]);
+int time(const Device& device, FramePipelines& pipelines, const Arguments& arguments) {
+  const FrameScene scene = sceneAt(device, pipelines, {arguments[1], arguments[2], arguments[3]});
+  const std::span methods = std::span(arguments).subspan(5);
   std::vector<std::unique_ptr<Frame>> owned;
   std::vector<Frame*> frames;
-  for (int i = 6; i < argc; ++i) frames.push_back(owned.emplace_back(scene.frame(argv[i])).get());
-  const auto ms = storeTimes(device, frames, std::max(std::atoi(argv[5]), 1));
+  for (const std::string& method : methods) frames.push_back(owned.emplace_back(scene.frame(method)).get());
+  const auto ms =
+      storeTimes(device, frames, std::max(static_cast<int>(countOf(arguments[4]).value_or(1)), 1));
   for (std::size_t f = 0; f < frames.size(); ++f)
-    fmt::print("{:40} {:8.2f} ms  ratio {:.2f}\n", argv[6 + f], median(ms[f]), ratio(ms[f], ms[0]));
+    fmt::print("{:40} {:8.2f} ms  ratio {:.2f}\n", methods[f], median(ms[f]), ratio(ms[f], ms[0]));
   return 0;
 }
 
-int run(int argc, char** argv) {
-  const std::string_view mode = argc > 1 ? argv[1] : "";
-  const bool timesAll = (mode == "ratios" || mode == "conservative") && argc <= 3;
-  if (!timesAll && (mode != "check" || argc > 2) && (mode != "time" || argc < 7)) {
-    fmt::print(
-        stderr,
-        "sundial-bench-raster: give ratios [RUNS], conservative [RUNS], check, or time SCENE VIEW LIGHT "
-        "RUNS METHOD...\n");
-    return 2;
-  }
-  const auto device = Device::create("", false);
-  if (!device) throw std::runtime_error(device.error().message);
-  FramePipelines pipelines(**device);
-  if (mode == "check") return check(**device, pipelines);
-  if (mode == "time") return time(**device, pipelines, argc, argv);
-  const int runs = argc == 3 ? std::max(std::atoi(argv[2]), 1) : 5;
-  return mode == "ratios" ? printRatios(**device, pipelines, runs)
-                          : printConservative(**device, pipelines, runs);
+int run(const Arguments& arguments) {
+  const std::string mode = arguments.empty() ? "" : arguments[0];
+  const auto runs = arguments.size() < 2 ? std::optional(5u) : countOf(arguments[1]);
+  const bool timesAll =
+      (mode == "ratios" || mode == "conservative") && arguments.size() <= 2 && runs.value_or(0) > 0;
+  if (!timesAll && (mode != "check" || arguments.size() > 1) && (mode != "time" || arguments.size() < 6))
+    throw WrongArguments(
+        "give ratios [RUNS], conservative [RUNS], check, or time SCENE VIEW LIGHT RUNS METHOD...");
+  const auto device = need(Device::create("", false));
+  FramePipelines pipelines(*device);
+  if (mode == "check") return check(*device, pipelines);
+  if (mode == "time") return time(*device, pipelines, arguments);
+  return mode == "ratios" ? printRatios(*device, pipelines, static_cast<int>(*runs))
+                          : printConservative(*device, pipelines, static_cast<int>(*runs));
 }
 
 }  // namespace
@@ -185,10 +187,5 @@ int run(int argc, char** argv) {
 }  // namespace sundial::bench
 
 int main(int argc, char** argv) {
-  try {
-    return sundial::bench::run(argc, argv);
-  } catch (const std::exception& error) {
-    fmt::print(stderr, "sundial-bench-raster: {}\n", error.what());
-    return 1;
-  }
+  return sundial::bench::runProgram("sundial-bench-raster", argc, argv, sundial::bench::run);
 }

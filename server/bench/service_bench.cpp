@@ -14,6 +14,7 @@
 #include <filesystem>
 #include <stdexcept>
 
+#include "bench/program.h"
 #include "renderer.h"
 #include "scene/choose.h"
 #include "scene/load.h"
@@ -25,16 +26,11 @@
 namespace {
 
 using namespace sundial;
+using bench::need;
 
 constexpr const char* kScene = "builtin:atrium";
 constexpr unsigned kSide = 1024;
 constexpr int kPairs = 15;
-
-template <class T>
-T valueOf(Result<T> result) {
-  if (!result) throw std::runtime_error(result.error().message);
-  if constexpr (!std::is_void_v<T>) return std::move(*result);
-}
 
 double millisecondsOf(const std::function<void()>& work) {
   const auto begin = std::chrono::steady_clock::now();
@@ -74,8 +70,8 @@ class Folder {
 // The same scene and device twice: behind a server, and here.
 class Bench {
  public:
-  Bench() : renderer_(valueOf(Renderer::create("", false))) {
-    scene_ = std::make_shared<const Scene>(valueOf(makeBuiltin("atrium")));
+  Bench() : renderer_(need(Renderer::create("", false))) {
+    scene_ = std::make_shared<const Scene>(need(makeBuiltin("atrium")));
     ServerOptions options;
     options.listen = {folder_.socket(), "127.0.0.1:0"};
     options.onEnd = [this](const CallRecord& call) {
@@ -85,16 +81,16 @@ class Bench {
     };
     SceneSource source;
     source.generate = [](std::string_view reference) { return makeBuiltin(reference); };
-    server_ = valueOf(Server::start(std::move(options), valueOf(Renderer::create("", false)), source));
+    server_ = need(Server::start(std::move(options), need(Renderer::create("", false)), source));
   }
 
   void renderHere(const std::vector<Aov>& images) {
-    RenderJob job{.scene = scene_, .size = {kSide, kSide}, .methods = {valueOf(parseMethod("sm"))}};
-    job.view = valueOf(chooseView(*scene_, {}));
-    job.light = valueOf(chooseLight(*scene_, {}));
+    RenderJob job{.scene = scene_, .size = {kSide, kSide}, .methods = {need(parseMethod("sm"))}};
+    job.view = need(chooseView(*scene_, {}));
+    job.light = need(chooseLight(*scene_, {}));
     job.images = images;
     Keeper keeper;
-    valueOf(renderer_->run(job, {}, keeper));
+    need(renderer_->run(job, {}, keeper));
     benchmark::DoNotOptimize(keeper.images.data());
   }
 

@@ -8,21 +8,15 @@
 
 #include <array>
 #include <cstdio>
-#include <cstdlib>
-#include <exception>
-#include <stdexcept>
 
-#include "bench/need.h"
-#include "renderer.h"
-#include "scene/choose.h"
-#include "scene/load.h"
+#include "bench/program.h"
+#include "bench/results.h"
 #include "shadow/shadow_volumes.h"
 
 namespace sundial::bench {
 
 namespace {
 
-constexpr std::string_view kBuiltin = "builtin:";
 constexpr std::array<glm::uvec2, 2> kPictures{{{1024, 1024}, {1920, 1080}}};
 
 // What the rows share; texels are those of one map.
@@ -37,25 +31,10 @@ std::vector<std::string> methodsAt(int texels) {
 }
 constexpr std::string_view kHead = "sm      spsm    sm/spsm ids     off     rgsm 5  sdsm    ";
 
-struct Sink final : JobSink {
-  std::vector<MethodResult> results;
-  void onPlan(std::size_t, const std::vector<PlanView>&) override {}
-  void onImage(std::size_t, Image) override {}
-  void onResult(std::size_t, MethodResult result) override { results.push_back(std::move(result)); }
-};
-
-double wrongPercent(const MethodResult& result) { return 100 * (1 - result.measures->pixelMatch); }
-
-const PassTiming& pass(const MethodResult& result, std::string_view name) {
-  for (const PassTiming& timing : result.passes)
-    if (timing.name == name) return timing;
-  throw std::runtime_error(fmt::format("{} has no pass {}", result.method.label(), name));
-}
-
 // Of the samples that a lookup answered.
 double uncertainPercent(const MethodResult& result) {
   double uncertain = 0, all = 0;
-  for (const Work& work : pass(result, "resolve").work)
+  for (const Work& work : passOf(result, "resolve").work)
     for (const char* found : {"one_triangle", "neighbours", "uncertain"})
       if (work.name == found) {
         all += work.count;
@@ -64,21 +43,13 @@ double uncertainPercent(const MethodResult& result) {
   return all > 0 ? 100 * uncertain / all : 0;
 }
 
-std::vector<MethodResult> resultsOf(Renderer& renderer, RenderJob job,
-                                    const std::vector<std::string>& methods) {
-  for (const std::string& text : methods) job.methods.push_back(need(parseMethod(text)));
-  if (job.repetitions > 0) job.baseline = job.methods.front();
-  Sink sink;
-  need(renderer.run(job, {}, sink));
-  return std::move(sink.results);
-}
-
-void printMaps(Renderer& renderer, const RenderJob& job, const std::string& scene) {
+void printMaps(Renderer& renderer, const Sight& sight, glm::uvec2 size, unsigned runs,
+               const std::string& scene) {
   fmt::print("{:18} picture   texels  {}spsm/sm ids/sm  sdsm/sm store   pack    resolve uncertain\n", scene,
              kHead);
   for (const int texels : {512, 1024, 2048, 4096}) {
-    const auto results = resultsOf(renderer, job, methodsAt(texels));
-    fmt::print("{:18} {:<9} {:<7}", scene, fmt::format("{}x{}", job.size.x, job.size.y), texels);
+    const auto results = resultsOf(renderer, jobAt(sight, size, methodsAt(texels), runs));
+    fmt::print("{:18} {:<9} {:<7}", scene, fmt::format("{}x{}", size.x, size.y), texels);
     for (std::size_t m = 0; m < results.size(); ++m) {
       fmt::print(" {:<7.4f}", wrongPercent(results[m]));
       if (m == 1) fmt::print(" {:<7.2f}", wrongPercent(results[0]) / wrongPercent(results[1]));
@@ -86,47 +57,32 @@ void printMaps(Renderer& renderer, const RenderJob& job, const std::string& scen
     for (const std::size_t m : {1, 2, 5})
       fmt::print(" {:<7.2f}", results[m].ratio ? results[m].ratio->median : 0);
     for (const char* name : {"store", "pack", "resolve"})
-      fmt::print(" {:<7.1f}", pass(results[1], name).gpuMs.median);
+      fmt::print(" {:<7.1f}", passOf(results[1], name).gpuMs.median);
     fmt::print(" {:.2f} %\n", uncertainPercent(results[1]));
     std::fflush(stdout);
   }
 }
 
-void printVolumes(Renderer& renderer, RenderJob job, const std::string& scene) {
-  if (const auto why = whyNoVolumes(*job.scene)) {
+void printVolumes(Renderer& renderer, const Sight& sight, glm::uvec2 size, const std::string& scene) {
+  if (const auto why = whyNoVolumes(*sight.scene)) {
     fmt::print("{:18} no shadow volumes: alpha test\n", scene);
     return;
   }
-  job.repetitions = 0;
-  fmt::print("{:18} {}x{}  shadow-volumes and rays differ in {:.5f} %\n", scene, job.size.x, job.size.y,
-             wrongPercent(resultsOf(renderer, job, {"shadow-volumes"}).front()));
+  fmt::print("{:18} {}x{}  shadow-volumes and rays differ in {:.5f} %\n", scene, size.x, size.y,
+             wrongPercent(resultsOf(renderer, jobAt(sight, size, {"shadow-volumes"}, 0)).front()));
 }
 
-Scene load(const std::string& reference) {
-  if (reference.starts_with(kBuiltin)) return need(makeBuiltin(reference.substr(kBuiltin.size())));
-  return need(parseGltf(need(readSceneFiles(reference))));
-}
-
-int run(int argc, char** argv) {
-  const int runs = argc > 1 ? std::atoi(argv[1]) : 5;
-  if (runs < 0 || (argc > 1 && *argv[1] > '9')) {
-    fmt::print(stderr, "sundial-bench-spsm: give [RUNS [SCENE...]]: RUNS of each method, 0 for no times\n");
-    return 2;
-  }
-  std::vector<std::string> scenes(argv + std::min(argc, 2), argv + argc);
+int run(const Arguments& arguments) {
+  const auto runs = arguments.empty() ? std::optional(5u) : countOf(arguments[0]);
+  if (!runs) throw WrongArguments("give [RUNS [SCENE...]]: RUNS of each method, 0 for no times");
+  Arguments scenes(arguments.begin() + std::min<std::ptrdiff_t>(1, std::ssize(arguments)), arguments.end());
   if (scenes.empty()) scenes = {"builtin:knot", "builtin:city", "builtin:atrium", "builtin:trees"};
   const auto renderer = need(Renderer::create("", false));
   for (const std::string& name : scenes) {
-    RenderJob job{.scene = std::make_shared<const Scene>(load(name)), .methods = {}, .baseline = {}};
-    job.view = need(chooseView(*job.scene, std::nullopt));
-    job.light = need(chooseLight(*job.scene, std::nullopt));
-    job.measures = true;
-    job.repetitions = static_cast<unsigned>(runs);
-    const std::string shown = name.substr(name.find_last_of(":/") + 1);
+    const Sight sight = sightOf({name});
     for (const glm::uvec2& size : kPictures) {
-      job.size = size;
-      printMaps(*renderer, job, shown);
-      printVolumes(*renderer, job, shown);
+      printMaps(*renderer, sight, size, *runs, shortName(name));
+      printVolumes(*renderer, sight, size, shortName(name));
     }
   }
   return 0;
@@ -137,10 +93,5 @@ int run(int argc, char** argv) {
 }  // namespace sundial::bench
 
 int main(int argc, char** argv) {
-  try {
-    return sundial::bench::run(argc, argv);
-  } catch (const std::exception& error) {
-    fmt::print(stderr, "sundial-bench-spsm: {}\n", error.what());
-    return 1;
-  }
+  return sundial::bench::runProgram("sundial-bench-spsm", argc, argv, sundial::bench::run);
 }

@@ -5,14 +5,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cstdlib>
-#include <exception>
 #include <fstream>
 
-#include "bench/need.h"
-#include "renderer.h"
+#include "bench/program.h"
+#include "bench/results.h"
 #include "scene/choose.h"
-#include "scene/load.h"
 #include "stability/path.h"
 
 namespace sundial::bench {
@@ -20,32 +17,28 @@ namespace sundial::bench {
 namespace {
 
 constexpr std::string_view kFixed = "sm,texels=4096";
+constexpr unsigned kRuns = 3;
 
 // What a method did in one frame of the walk.
 struct Step {
   glm::uvec2 texels{0};
-  double ms = 0, ratio = 0, wrong = 0;  // ratio: of the frame, to the fixed map's
+  double ms = 0, ratio = 0, wrong = 0;  // ratio: of the frame, to the fixed map's; wrong: %
 };
 using Steps = std::vector<Step>;  // a method each
 
-class Collector final : public JobSink {
- public:
-  void onPlan(std::size_t, const std::vector<PlanView>&) override {}
-  void onImage(std::size_t, Image) override {}
-  void onResult(std::size_t, MethodResult result) override {
-    steps.push_back({result.plan.front().gpu.rectSize, result.frameMs.median,
-                     result.ratio ? result.ratio->median : 1,
-                     result.measures ? 1 - result.measures->pixelMatch : 0});
-  }
+Steps stepsOf(const std::vector<MethodResult>& results) {
   Steps steps;
-};
+  for (const MethodResult& result : results)
+    steps.push_back({result.plan.front().gpu.rectSize, result.frameMs.median, result.ratio->median,
+                     wrongPercent(result)});
+  return steps;
+}
 
 template <class Value>
 double median(const std::vector<Steps>& walk, std::size_t method, Value value) {
   std::vector<double> values;
   for (const Steps& frame : walk) values.push_back(value(frame[method]));
-  std::ranges::nth_element(values, values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2));
-  return values[values.size() / 2];
+  return bench::median(std::move(values));
 }
 
 // One line a series, over the frames of the walk.
@@ -107,37 +100,37 @@ void writeCharts(const std::vector<Steps>& walk, const std::string& percentile) 
 
 void walk(unsigned frames, const std::string& percentile) {
   const auto renderer = need(Renderer::create("", false));
-  RenderJob job;
-  job.scene = std::make_shared<const Scene>(need(makeBuiltin("atrium")));
-  job.light = need(chooseLight(*job.scene, "spot"));
-  job.size = {1024, 1024};
-  job.baseline = need(parseMethod(kFixed));
-  job.methods = {job.baseline.value(), need(parseMethod("ferko")),
-                 need(parseMethod(fmt::format("ferko,percentile={}", percentile)))};
-  job.repetitions = 3;
-  job.measures = true;
+  const Sight sight = sightOf({"builtin:atrium", "", "spot"});
+  const std::string ferko = "ferko,percentile=" + percentile;
+  RenderJob job = jobAt(sight, {1024, 1024}, {std::string(kFixed), "ferko", ferko}, kRuns);
   std::vector<Steps> all;
-  const NamedPath path = need(choosePath(*job.scene, "walk"));
+  const NamedPath path = need(choosePath(*sight.scene, "walk"));
   fmt::print(
       "frame  {} ms, wrong %   minimum: texels, ms, ratio, wrong %   {} %: texels, ms, ratio, wrong %\n",
       kFixed, percentile);
   for (const View& view : need(viewsAlong(path.keys, frames))) {
-    Collector collector;
     job.view = view;
-    need(renderer->run(job, {}, collector));
-    const Steps& s = all.emplace_back(std::move(collector.steps));
-    fmt::print("{:5}  {:6.1f} {:.4f}", all.size() - 1, s[0].ms, 100 * s[0].wrong);
+    const Steps& s = all.emplace_back(stepsOf(resultsOf(*renderer, job)));
+    fmt::print("{:5}  {:6.1f} {:.4f}", all.size() - 1, s[0].ms, s[0].wrong);
     for (const Step& step : {s[1], s[2]})
       fmt::print("   {:4}x{:4} {:6.1f} {:.2f} {:.4f}", step.texels.x, step.texels.y, step.ms, step.ratio,
-                 100 * step.wrong);
+                 step.wrong);
     fmt::print("\n");
     std::fflush(stdout);
   }
   for (std::size_t method = 0; method < 3; ++method)
     fmt::print("{:22} median frame {:.2f} of the fixed map's, median of wrong pixels {:.4f} %\n",
                job.methods[method].label(), median(all, method, [](const Step& s) { return s.ratio; }),
-               median(all, method, [](const Step& s) { return 100 * s.wrong; }));
+               median(all, method, [](const Step& s) { return s.wrong; }));
   writeCharts(all, percentile);
+}
+
+int run(const Arguments& arguments) {
+  const auto frames = arguments.empty() ? std::optional(24u) : countOf(arguments[0]);
+  if (frames.value_or(0) < 2 || arguments.size() > 2)
+    throw WrongArguments("give [FRAMES [PERCENTILE]], at least 2 frames");
+  walk(*frames, arguments.size() > 1 ? arguments[1] : "1");
+  return 0;
 }
 
 }  // namespace
@@ -145,16 +138,5 @@ void walk(unsigned frames, const std::string& percentile) {
 }  // namespace sundial::bench
 
 int main(int argc, char** argv) {
-  const int frames = argc > 1 ? std::atoi(argv[1]) : 24;
-  if (frames < 2 || argc > 3) {
-    fmt::print(stderr, "sundial-bench-walk: give [FRAMES [PERCENTILE]], at least 2 frames\n");
-    return 2;
-  }
-  try {
-    sundial::bench::walk(static_cast<unsigned>(frames), argc > 2 ? argv[2] : "1");
-    return 0;
-  } catch (const std::exception& error) {
-    fmt::print(stderr, "sundial-bench-walk: {}\n", error.what());
-    return 1;
-  }
+  return sundial::bench::runProgram("sundial-bench-walk", argc, argv, sundial::bench::run);
 }

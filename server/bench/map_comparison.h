@@ -1,38 +1,17 @@
-// A built-in scene in which store passes of several methods are timed, or their maps compared.
+// Maps of several frames: how long they take to draw, and where they differ.
 #pragma once
 
-#include <memory>
-#include <string>
+#include <cstddef>
 #include <vector>
 
 #include "shadow/frame.h"
 
 namespace sundial::bench {
 
-class RasterScene {
- public:
-  // View and light by name; empty: the scene's first. Throws std::runtime_error for names that aren't there.
-  RasterScene(const Device&, FramePipelines&, const std::string& scene, const std::string& view,
-              const std::string& light);
-
-  std::unique_ptr<Frame> frame(std::string_view text, MakeStore* make = makeStore) const;
-  const Scene& scene() const { return *scene_; }
-
- private:
-  const Device& device_;
-  FramePipelines& pipelines_;
-  std::shared_ptr<const Scene> scene_;
-  ViewTarget target_;
-  SceneBuffers buffers_;
-  View view_;
-  Light light_;
-};
-
 // Wall-clock milliseconds around the store pass of each frame, run by run in turn; all frames ran once
 // before.
 std::vector<std::vector<double>> storeTimes(const Device&, const std::vector<Frame*>&, int runs);
-double median(std::vector<double>);
-// Of pairs from the same run.
+// The median of pairs from the same run.
 double ratio(const std::vector<double>& of, const std::vector<double>& to);
 
 // What a map drawn by compute has against the pipeline's.

@@ -1,56 +1,12 @@
-#include "bench/raster_scene.h"
+#include "bench/map_comparison.h"
 
 #include <algorithm>
 #include <cmath>
-#include <stdexcept>
 
-#include "bench/need.h"
-#include "scene/choose.h"
-#include "scene/load.h"
-#include "shadow/camera.h"
+#include "bench/program.h"
 #include "shadow/frame_runner.h"
 
 namespace sundial::bench {
-
-namespace {
-
-constexpr glm::uvec2 kSize{1024, 1024};  // of the view, whose samples fit some methods' maps
-
-std::optional<std::string> named(const std::string& name) {
-  return name.empty() ? std::nullopt : std::optional(name);
-}
-
-}  // namespace
-
-RasterScene::RasterScene(const Device& device, FramePipelines& pipelines, const std::string& scene,
-                         const std::string& view, const std::string& light)
-    : device_(device),
-      pipelines_(pipelines),
-      scene_(std::make_shared<const Scene>(need(makeBuiltin(scene)))),
-      target_(device, kSize),
-      buffers_(device, scene_),
-      view_(need(chooseView(*scene_, named(view)))),
-      light_(need(chooseLight(*scene_, named(light)))) {
-  light_.direction = glm::normalize(light_.direction);
-  buffers_.moveTo(device_, frameOrigin(*scene_, view_));
-}
-
-std::unique_ptr<Frame> RasterScene::frame(std::string_view text, MakeStore* make) const {
-  const glm::dvec3 origin = frameOrigin(*scene_, view_);
-  auto made = std::make_unique<Frame>(
-      FrameView{.device = device_,
-                .pipelines = pipelines_,
-                .scene = buffers_,
-                .target = target_,
-                .reference = nullptr,
-                .edges = nullptr,
-                .light = light_,
-                .origin = origin,
-                .constants = frameConstants(*scene_, view_, light_, target_.size(), origin)},
-      need(parseMethod(text)), make);
-  need(runFrame(device_, made->passes(), {}));
-  return made;
-}
 
 std::vector<std::vector<double>> storeTimes(const Device& device, const std::vector<Frame*>& frames,
                                             int runs) {
@@ -63,11 +19,6 @@ std::vector<std::vector<double>> storeTimes(const Device& device, const std::vec
       if (run >= 0) ms[f].push_back(taken);
     }
   return ms;
-}
-
-double median(std::vector<double> values) {
-  std::ranges::sort(values);
-  return values.empty() ? 0 : values[values.size() / 2];
 }
 
 double ratio(const std::vector<double>& of, const std::vector<double>& to) {

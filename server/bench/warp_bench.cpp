@@ -1,0 +1,153 @@
+// sundial-bench-warp: fitted and warped maps against plain ones, as [NOTW, section 4] compares them.
+//
+//   [RUNS [SCENE...]]     RUNS: timed frames of each method, 0 for no times
+//
+// SCENE: files whose wrong pixels are counted after those of built-in scenes.
+// Prints the tables of server/shadow/README.md under "Warps".
+#include <fmt/format.h>
+
+#include <cstdio>
+
+#include "bench/program.h"
+#include "bench/results.h"
+#include "bench/warped_samples.h"
+
+namespace sundial::bench {
+
+namespace {
+
+constexpr glm::uvec2 kPicture{1024, 1024};
+constexpr std::string_view kTexels = ",texels=512";
+
+const std::vector<Place> kTimed = {
+    {"builtin:observatory", "", "spot"}, {"builtin:conference", "", "spot"}, {"builtin:atrium", "", "sun"}};
+const std::vector<std::string> kTimedMethods = {"sm", "msf", "dv", "rtw", "notw"};
+
+const std::vector<Place> kCounted = {{"builtin:observatory", "", "spot"},
+                                     {"builtin:observatory", "", "sun"},
+                                     {"builtin:conference", "", "spot"},
+                                     {"builtin:conference", "", "sun"},
+                                     {"builtin:atrium", "", "sun"},
+                                     {"builtin:atrium", "", "spot"},
+                                     {"builtin:trees", "walk"},
+                                     {"builtin:trees", "main"},
+                                     {"builtin:village"},
+                                     {"builtin:city"},
+                                     {"builtin:knot"}};
+const std::vector<std::string> kCountedMethods = {
+    "sm", "msf", "dv", "rtw", "rtw,analysis=hybrid", "rtw,analysis=forward", "notw"};
+
+const std::vector<Place> kSpread = {{"builtin:atrium", "", "sun"},
+                                    {"builtin:observatory", "", "spot"},
+                                    {"builtin:conference", "", "spot"},
+                                    {"builtin:trees?count=40", "walk", "low"}};
+const std::vector<std::string> kSpreadMethods = {"notw",
+                                                 "notw,window=32",
+                                                 "notw,window=5",
+                                                 "notw,power=1",
+                                                 "notw,power=1,even=0.05,window=32",
+                                                 "notw,power=1,even=0.05,window=5"};
+
+std::vector<std::string> withTexels(std::vector<std::string> methods) {
+  for (std::string& method : methods) method += kTexels;
+  return methods;
+}
+
+std::string nameOf(const Place& place) {
+  std::string name = fmt::format("`{}`", shortName(place.scene));
+  for (const std::string& part : {place.view, place.light})
+    if (!part.empty()) name += ", " + part;
+  return name;
+}
+
+void printHead(std::string_view first, const std::vector<std::string>& columns) {
+  fmt::print("| {:28} |", first);
+  for (const std::string& column : columns) fmt::print(" {} |", column);
+  fmt::print("\n| --- |");
+  for (std::size_t i = 0; i < columns.size(); ++i) fmt::print(" --- |");
+  fmt::print("\n");
+}
+
+void endRow() {
+  fmt::print("\n");
+  std::fflush(stdout);
+}
+
+void printTimes(Renderer& renderer, unsigned runs) {
+  fmt::print("Frame time over sm's, and the share of `warp` in it\n\n");
+  printHead("scene, light", {kTimedMethods.begin() + 1, kTimedMethods.end()});
+  for (const Place& place : kTimed) {
+    RenderJob job = jobAt(sightOf(place), kPicture, withTexels(kTimedMethods), runs);
+    job.measures = false;
+    const auto results = resultsOf(renderer, job);
+    fmt::print("| {:28} |", nameOf(place));
+    for (std::size_t m = 1; m < results.size(); ++m) {
+      fmt::print(" {:.2f}", results[m].ratio->median);
+      if (results[m].method.stages->warp != Warp::none)
+        fmt::print(" ({:.0f} %)", 100 * passOf(results[m], "warp").gpuMs.median / results[m].frameMs.median);
+      fmt::print(" |");
+    }
+    endRow();
+  }
+  fmt::print("\n");
+}
+
+void printWrong(Renderer& renderer, const std::vector<std::string>& files) {
+  fmt::print("Wrong pixels, %\n\n");
+  printHead("scene, view, light", kCountedMethods);
+  std::vector<Place> places = kCounted;
+  for (const std::string& file : files) places.push_back({file});
+  for (const Place& place : places) {
+    const auto results = resultsOf(renderer, jobAt(sightOf(place), kPicture, withTexels(kCountedMethods), 0));
+    fmt::print("| {:28} |", nameOf(place));
+    for (const MethodResult& result : results) fmt::print(" {:.3f} |", wrongPercent(result));
+    endRow();
+  }
+  fmt::print("\n");
+}
+
+// A method's variation of samples per texel after its warp over that before, and its wrong pixels.
+void printSpread(Renderer& renderer) {
+  fmt::print("Variation of samples per texel after the warp over that before; wrong pixels, %\n\n");
+  const auto device = need(Device::create("", false));
+  FramePipelines pipelines(*device);
+  std::vector<std::string> columns, cells(kSpreadMethods.size());
+  for (const Place& place : kSpread) {
+    const Sight sight = sightOf(place);
+    const FrameScene scene(*device, pipelines, sight, kPicture);
+    const auto results = resultsOf(renderer, jobAt(sight, kPicture, withTexels(kSpreadMethods), 0));
+    for (std::size_t m = 0; m < results.size(); ++m) {
+      const Warped warped = warpedOf(scene, results[m].method);
+      cells[m] +=
+          fmt::format(" {:.2f}, {:.3f} |", variation(countsAfter(warped)) / variation(countsBefore(warped)),
+                      wrongPercent(results[m]));
+    }
+    columns.push_back(nameOf(place));
+  }
+  printHead("method", columns);
+  for (std::size_t m = 0; m < cells.size(); ++m) {
+    fmt::print("| {:34} |{}", fmt::format("`{}`", kSpreadMethods[m]), cells[m]);
+    endRow();
+  }
+}
+
+int run(const Arguments& arguments) {
+  const auto runs = arguments.empty() ? std::optional(5u) : countOf(arguments[0]);
+  if (!runs)
+    throw WrongArguments(
+        "give [RUNS [SCENE...]]: RUNS timed frames of each method, 0 for no times; glTF files");
+  const auto renderer = need(Renderer::create("", false));
+  if (*runs > 0) printTimes(*renderer, *runs);
+  printWrong(*renderer,
+             {arguments.begin() + std::min<std::ptrdiff_t>(1, std::ssize(arguments)), arguments.end()});
+  printSpread(*renderer);
+  return 0;
+}
+
+}  // namespace
+
+}  // namespace sundial::bench
+
+int main(int argc, char** argv) {
+  return sundial::bench::runProgram("sundial-bench-warp", argc, argv, sundial::bench::run);
+}

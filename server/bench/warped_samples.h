@@ -1,0 +1,34 @@
+// How a warp spreads view samples over its map: its tables, read back from the device, applied on the host.
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+#include "bench/frame_scene.h"
+
+namespace sundial::bench {
+
+// Positions are in texels of the map, from (0, 0) to its size; functions are those of shaders/warp.glsl.
+struct Warped {
+  glm::uvec2 size{0};
+  std::size_t rows = 1, columns = 1;  // functions across and down
+  std::vector<float> tables;          // pairs
+  std::vector<float> values;          // of functions: the first of each pair behind the centres
+  std::vector<glm::dvec2> samples;    // that face the light, before the warp
+
+  const float* across(std::size_t row) const { return &values[row * (size.x + 1)]; }
+  const float* down(std::size_t column) const { return across(rows) + column * (size.y + 1); }
+  glm::dvec2 centre(unsigned x, unsigned y) const;      // of a texel after the warp: where it came from
+  glm::dvec2 operator()(const glm::dvec2& from) const;  // where a position goes
+};
+
+// Of a frame with one map and a warp. Throws std::runtime_error.
+Warped warpedOf(const FrameScene&, const Method&);
+
+// Samples in each texel, row by row, before the warp and after it.
+std::vector<double> countsBefore(const Warped&);
+std::vector<double> countsAfter(const Warped&);
+// Standard deviation over mean.
+double variation(const std::vector<double>& counts);
+
+}  // namespace sundial::bench

@@ -5,6 +5,12 @@
 #include "shared/triangle_texel.h"
 #include "view_space.glsl"
 
+// In an image of the sun light space's depth is a length, in the others the reciprocal of one.
+TexelMetric texelMetric(uint view) {
+  const vec3 lsMin = plan.views[view].lsMin, lsMax = plan.views[view].lsMax;
+  return TexelMetric(lsMax.xy - lsMin.xy, lsMax.z, lsMin.z, frame.lightKind != kLightDirectional);
+}
+
 // `place` is where on the map its plane's depth is asked for; `owner` becomes its instance and index. A corner behind a
 // spot light moves along an edge to just before it.
 MapTriangle mapTriangle(uint view, uint id, vec2 place, out uvec2 owner) {

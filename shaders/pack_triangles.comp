@@ -28,7 +28,7 @@ uvec4 packedAt(uint index) {
   const vec2 centre = (vec2(within % size.x, within / size.x) + 0.5) / vec2(size);
   uvec2 owner;
   const MapTriangle triangle = mapTriangle(view, nearest.x, centre, owner);
-  return kBeyond ? packedTriangle(onGrid(triangle, centre)) : packedTriangle(triangle);
+  return packedTriangle(kBeyond ? onGrid(triangle, centre) : triangle, texelMetric(view));
 }
 
 void main() {

@@ -32,10 +32,12 @@ Held unpacked(uint view, ivec2 texel) {
   for (int i = 0; i < 3; ++i) held.t.corners[i] = cornerOfCode(packed_[i]) * size - centre;
   const vec2 right = uintBitsToFloat(texelFetch(tableTexels, int(packed_.w >> 8 & 0xffu)).xy);
   const vec2 down = uintBitsToFloat(texelFetch(tableTexels, int(packed_.w & 0xffu)).xy);
-  held.t.depth = depthOfCode(packed_.w >> 16);
-  held.t.slope = vec2(right.x, down.x) / size;
-  held.depthError = 0.5 / kDepthSteps;
-  held.slopeError = vec2(right.y, down.y) / size;
+  const TexelMetric metric = texelMetric(view);
+  held.t.depth = depthOfCode(packed_.w >> 16, metric);
+  held.depthError = 0.5 / kDepthSteps * depthPerShare(held.t.depth, metric);
+  const vec2 slopePerCode = slopePerTangent(held.t.depth, metric) / size;
+  held.t.slope = vec2(right.x, down.x) * slopePerCode;
+  held.slopeError = vec2(right.y, down.y) * slopePerCode;
   return held;
 }
 

@@ -124,6 +124,15 @@ TEST_F(FrameSpsm, SaysWhatItAnsweredFrom) {
 }
 
 // 16 bytes a texel, and 8 while it is drawn.
+// The codes' proportions are the world's: a map about a lamp, whose depth is the reciprocal of distance, and
+// small tiles of a scene lose no more than one map of the sun.
+TEST_F(FrameSpsm, PackingCostsLittleInAnyLight) {
+  for (const char* light : {"spot", "lamp"}) {
+    auto w = wrong("observatory", "main", light, {"spsm,texels=256", "spsm,texels=256,storage=depth-id"});
+    EXPECT_LE(w["spsm,texels=256"], 1.25 * w["spsm,texels=256,storage=depth-id"] + 5e-4) << light;
+  }
+}
+
 TEST_F(FrameSpsm, SaysWhatMemoryItTakes) {
   const auto scene = builtin("grid");
   const auto r = render(

@@ -13,6 +13,9 @@ namespace {
 
 double degreesOf(double slope) { return std::atan(slope) * 180 / std::numbers::pi; }
 
+// A map of the sun, with proportions that codes don't notice.
+constexpr TexelMetric kSunMetric{{1, 1}, 1, 0, false};
+
 double angleError(double degrees) {
   const double slope = std::tan(degrees * std::numbers::pi / 180);
   return std::abs(degreesOf(slopeOfCode(static_cast<float>(codeOfSlope(static_cast<float>(slope))))) -
@@ -52,15 +55,56 @@ TEST(TriangleTexel, CornersAndDepthComeBackAsFineAsTheirCodes) {
     for (vec2& corner : t.corners) corner = {onMap(random), onMap(random)};
     t.depth = depth(random);
     t.slope = vec2(0);
-    const uvec4 texel = packedTriangle(t);
+    const uvec4 texel = packedTriangle(t, kSunMetric);
     const float half = 0.501f * (1 + 2 * kCornerMargin) / kCornerSteps;
     for (int c = 0; c < 3; ++c) {
       EXPECT_NEAR(cornerOfCode(texel[c]).x, t.corners[c].x, half);
       EXPECT_NEAR(cornerOfCode(texel[c]).y, t.corners[c].y, half);
     }
-    EXPECT_NEAR(depthOfCode(texel.w >> 16), t.depth, 0.51f / kDepthSteps);
+    EXPECT_NEAR(depthOfCode(texel.w >> 16, kSunMetric), t.depth, 0.51f / kDepthSteps);
     EXPECT_NE(texel.w >> 16, 0u);
     EXPECT_EQ(texel.w & 0xffffu, 127u << 8 | 127u);
+  }
+}
+
+// Of a light with a place, from a tenth of a metre to a hundred: any distance comes back to the same share of
+// it.
+TEST(TriangleTexel, DistancesFromALightKeepTheSameShare) {
+  constexpr TexelMetric metric{{2, 2}, 10, 0.01f, true};
+  for (float distance = 0.1f; distance <= 100; distance *= 1.1f) {
+    const float depth = (1 / distance - metric.far) / (metric.near - metric.far);
+    const float back = depthOfCode(codeOfDepth(depth, metric), metric);
+    EXPECT_NEAR(lsDepthOf(back, metric) * distance, 1, 0.52f * std::log(1000.0f) / kDepthSteps + 2e-5f);
+    EXPECT_LE(std::abs(back - depth), 0.52f / kDepthSteps * depthPerShare(depth, metric) + 2e-7f) << distance;
+  }
+  EXPECT_EQ(depthOfCode(codeOfDepth(2, metric), metric), kBefore);
+  EXPECT_EQ(codeOfDepth(-1, metric), 1u);
+}
+
+// A plane that leans by 60 degrees has the same code in a map of the whole scene, in a tile of it, and at any
+// distance from a lamp.
+TEST(TriangleTexel, SlopesAreThoseOfTheWorld) {
+  const float lean = std::tan(std::numbers::pi_v<float> / 3);
+  const auto codeIn = [](vec2 slope, float depth, const TexelMetric& metric) {
+    MapTriangle t;
+    for (vec2& corner : t.corners) corner = vec2(0.5f);
+    t.depth = depth;
+    t.slope = slope;
+    return packedTriangle(t, metric).w & 0xffffu;
+  };
+  const unsigned expected = codeOfSlope(lean) << 8 | codeOfSlope(0);
+  // Light space in metres, of 40 metres' depth.
+  for (const float side : {200.0f, 40.0f, 0.5f})
+    EXPECT_EQ(codeIn({lean * side / 40, 0}, 0.5f, {{side, side}, 50, 10, false}), expected) << side;
+  // On the axis of a spot light the plane d + lean * x = distance has the reciprocal (1 + lean * x / d) /
+  // distance.
+  constexpr TexelMetric spot{{1.5f, 1.5f}, 5, 0.02f, true};
+  for (const float distance : {0.3f, 2.0f, 30.0f}) {
+    const float perDepth = 1 / (spot.near - spot.far);
+    EXPECT_EQ(
+        codeIn({lean / distance * spot.side.x * perDepth, 0}, (1 / distance - spot.far) * perDepth, spot),
+        expected)
+        << distance;
   }
 }
 
@@ -97,7 +141,7 @@ TEST(TriangleTexel, LargeTrianglesAreTheSameAboutTheirTexel) {
       return containsPoint(at, p);
     };
     if (!inside(t.corners, texel)) continue;
-    const uvec4 packed = packedTriangle(onGrid(t, texel));
+    const uvec4 packed = packedTriangle(onGrid(t, texel), kSunMetric);
     vec2 kept[3];
     for (int c = 0; c < 3; ++c) kept[c] = cornerOfCode(packed[c]);
     float nearest = 1;

@@ -25,6 +25,45 @@ struct MapTriangle {
   vec2 slope;   // of its plane: depth a map's side to the right and down
 };
 
+// How a view's depth and slopes are measured before they become codes: in the world's proportions, whatever
+// the map's are. A tile of a deep scene, or the reciprocal of distance, would leave all slopes next to the
+// code of none.
+struct TexelMetric {
+  vec2 side;        // of the map, light space
+  float near, far;  // light space's depth where the map's is 1 and 0
+  bool reciprocal;  // it is that of distance, of which codes then keep the same share anywhere
+};
+
+SUNDIAL_FUNCTION float lsDepthOf(float depth, TexelMetric m) { return m.far + depth * (m.near - m.far); }
+
+// The map's depth that codes begin with, of light that has no farthest place.
+SUNDIAL_CONST_FLOAT kLeastReciprocal = 1e-4f;
+
+SUNDIAL_FUNCTION float farthestOf(TexelMetric m) { return max(m.far, kLeastReciprocal * m.near); }
+
+// In [0, 1], as codes are spread over it.
+SUNDIAL_FUNCTION float shareOfDepth(float depth, TexelMetric m) {
+  if (!m.reciprocal) return depth;
+  const float farthest = farthestOf(m);
+  return log(max(lsDepthOf(depth, m), farthest) / farthest) / log(m.near / farthest);
+}
+
+SUNDIAL_FUNCTION float depthOfShare(float share, TexelMetric m) {
+  if (!m.reciprocal) return share;
+  const float farthest = farthestOf(m);
+  return (farthest * exp(share * log(m.near / farthest)) - m.far) / (m.near - m.far);
+}
+
+// By how much depth of the map a step of the share is more than one of depth.
+SUNDIAL_FUNCTION float depthPerShare(float depth, TexelMetric m) {
+  return m.reciprocal ? lsDepthOf(depth, m) * log(m.near / farthestOf(m)) / (m.near - m.far) : 1.0f;
+}
+
+// Depth over a side of the map where a plane leans by 45 degrees.
+SUNDIAL_FUNCTION vec2 slopePerTangent(float depth, TexelMetric m) {
+  return m.side * ((m.reciprocal ? lsDepthOf(depth, m) : 1.0f) / (m.near - m.far));
+}
+
 // Equation 3: of all angles between depth and map, those near a right angle get the most codes.
 SUNDIAL_FUNCTION uint codeOfSlope(float slope) {
   const float x = atan(slope) / kHalfPi;
@@ -49,13 +88,13 @@ SUNDIAL_FUNCTION vec2 cornerOfCode(uint code) {
   return share * (1.0f + 2.0f * kCornerMargin) - kCornerMargin;
 }
 
-SUNDIAL_FUNCTION uint codeOfDepth(float depth) {
+SUNDIAL_FUNCTION uint codeOfDepth(float depth, TexelMetric m) {
   if (depth > 1.0f) return kDepthBefore;
-  return 1u + uint(floor(max(depth, 0.0f) * kDepthSteps + 0.5f));
+  return 1u + uint(floor(clamp(shareOfDepth(max(depth, 0.0f), m), 0.0f, 1.0f) * kDepthSteps + 0.5f));
 }
 
-SUNDIAL_FUNCTION float depthOfCode(uint code) {
-  return code == kDepthBefore ? kBefore : (float(code) - 1.0f) / kDepthSteps;
+SUNDIAL_FUNCTION float depthOfCode(uint code, TexelMetric m) {
+  return code == kDepthBefore ? kBefore : depthOfShare((float(code) - 1.0f) / kDepthSteps, m);
 }
 
 // How far along from-to the grid begins, for a corner beyond it: 2 where the edge passes the grid by.
@@ -156,10 +195,10 @@ SUNDIAL_FUNCTION MapTriangle onGrid(MapTriangle given, vec2 texelCentre) {
 }
 
 // Of a triangle on the grid.
-SUNDIAL_FUNCTION uvec4 packedTriangle(MapTriangle t) {
-  const vec2 slope = t.depth > 1.0f ? vec2(0.0f) : t.slope;
+SUNDIAL_FUNCTION uvec4 packedTriangle(MapTriangle t, TexelMetric m) {
+  const vec2 slope = t.depth > 1.0f ? vec2(0.0f) : t.slope / slopePerTangent(max(t.depth, 0.0f), m);
   return uvec4(codeOfCorner(t.corners[0]), codeOfCorner(t.corners[1]), codeOfCorner(t.corners[2]),
-               codeOfDepth(t.depth) << 16 | codeOfSlope(slope.x) << 8 | codeOfSlope(slope.y));
+               codeOfDepth(t.depth, m) << 16 | codeOfSlope(slope.x) << 8 | codeOfSlope(slope.y));
 }
 
 SUNDIAL_SHARED_END

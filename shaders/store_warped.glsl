@@ -4,8 +4,8 @@
 #define SUNDIAL_STORE_WARPED_GLSL
 #include "warp.glsl"
 
-vec4 warpedVertex(uint view, vec3 wsPosition) {
-  const vec4 shadow = plan.views[view].shadowFromWorld * vec4(wsPosition, 1);
+// Of a view's clip space.
+vec4 warpedClip(vec4 shadow) {
   if (shadow.w <= 0) return shadow;
   const vec2 size = vec2(warpSize()), p = 0.5 * (shadow.xy / shadow.w + 1) * size;
   // Beyond the map there is nothing to stretch.
@@ -13,6 +13,10 @@ vec4 warpedVertex(uint view, vec3 wsPosition) {
   vec2 stretch;
   const vec2 warped = warpedPosition(inside, stretch) + (p - inside);
   return vec4((2 * warped / size - 1) * shadow.w, shadow.zw);
+}
+
+vec4 warpedVertex(uint view, vec3 wsPosition) {
+  return warpedClip(plan.views[view].shadowFromWorld * vec4(wsPosition, 1));
 }
 
 #endif

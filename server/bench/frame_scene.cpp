@@ -38,4 +38,32 @@ std::unique_ptr<Frame> FrameScene::frame(std::string_view method, MakeStore* mak
   return frame(need(parseMethod(method)), make);
 }
 
+std::vector<shared::ViewSample> FrameScene::samples() const {
+  const auto values = [&](const GpuImage& image) {
+    return valuesOf<glm::uvec4>(downloaded(device_, image, sizeof(glm::uvec4)));
+  };
+  const auto positions = values(target_.positions), normals = values(target_.normals);
+  std::vector<shared::ViewSample> samples(positions.size());
+  gatherSamples(positions.data(), normals.data(), samples);
+  return samples;
+}
+
+std::vector<float> FrameScene::visibility() const {
+  return valuesOf<float>(downloaded(device_, target_.visibility, sizeof(float)));
+}
+
+std::vector<float> FrameScene::reference() const {
+  const auto asked = samples();
+  std::vector<float> lit(asked.size());
+  Reference(sight_.scene).trace(asked, sight_.light, origin_, lit, target_.size().x);
+  return lit;
+}
+
+std::vector<std::uint8_t> FrameScene::facing() const {
+  const auto asked = samples();
+  std::vector<std::uint8_t> faces(asked.size());
+  facesLight(asked, sight_.light, origin_, faces);
+  return faces;
+}
+
 }  // namespace sundial::bench

@@ -1,8 +1,10 @@
 // A sight on the device, as frames of several methods see it.
 #pragma once
 
+#include <cstdint>
 #include <memory>
 #include <string_view>
+#include <vector>
 
 #include "bench/place.h"
 #include "shadow/frame.h"
@@ -18,9 +20,13 @@ class FrameScene {
   std::unique_ptr<Frame> frame(std::string_view method, MakeStore* make = makeStore) const;
 
   const Device& device() const { return device_; }
-  const ViewTarget& target() const { return target_; }
-  const Light& light() const { return sight_.light; }
-  const glm::dvec3& origin() const { return origin_; }
+  // Of the frames that ran: their view samples, one a pixel, relative to the frames' origin; how they are
+  // lit, by rays; and 1 for those that face the light.
+  std::vector<shared::ViewSample> samples() const;
+  std::vector<float> reference() const;
+  std::vector<std::uint8_t> facing() const;
+  // Of the last of them: how lit each pixel is.
+  std::vector<float> visibility() const;
 
  private:
   const Device& device_;

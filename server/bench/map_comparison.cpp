@@ -1,24 +1,39 @@
 #include "bench/map_comparison.h"
 
 #include <algorithm>
-#include <cmath>
 
 #include "bench/program.h"
 #include "shadow/frame_runner.h"
 
 namespace sundial::bench {
 
-std::vector<std::vector<double>> storeTimes(const Device& device, const std::vector<Frame*>& frames,
-                                            int runs) {
+namespace {
+
+// `wanted`: whether a pass is run.
+template <class Wanted>
+std::vector<std::vector<double>> times(const Device& device, const std::vector<Frame*>& frames, int runs,
+                                       const Wanted& wanted) {
   std::vector<std::vector<double>> ms(frames.size());
   for (int run = -1; run < runs; ++run)
     for (std::size_t f = 0; f < frames.size(); ++f) {
       std::vector<Pass> passes = frames[f]->passes();
-      std::erase_if(passes, [](const Pass& pass) { return pass.name != "store"; });
+      std::erase_if(passes, [&](const Pass& pass) { return !wanted(pass); });
       const double taken = need(runFrame(device, passes, {})).frameMs;
       if (run >= 0) ms[f].push_back(taken);
     }
   return ms;
+}
+
+}  // namespace
+
+std::vector<std::vector<double>> storeTimes(const Device& device, const std::vector<Frame*>& frames,
+                                            int runs) {
+  return times(device, frames, runs, [](const Pass& pass) { return pass.name == "store"; });
+}
+
+std::vector<std::vector<double>> frameTimes(const Device& device, const std::vector<Frame*>& frames,
+                                            int runs) {
+  return times(device, frames, runs, [](const Pass&) { return true; });
 }
 
 double ratio(const std::vector<double>& of, const std::vector<double>& to) {
@@ -27,7 +42,7 @@ double ratio(const std::vector<double>& of, const std::vector<double>& to) {
   return median(std::move(ratios));
 }
 
-Differences differences(const Frame& image, const Frame& linear) {
+Differences differences(const Frame& image, const Frame& linear, const Differ& differ) {
   const std::vector<float> imageDepths = image.downloadDepths(), linearDepths = linear.downloadDepths();
   const shared::Plan imagePlan = image.downloadPlan(), linearPlan = linear.downloadPlan();
   std::uint32_t width = 0;
@@ -45,7 +60,7 @@ Differences differences(const Frame& image, const Frame& linear) {
         found.added += !(a > 0) && b > 0;
         const bool byZero = a == 1 && b > 0 && b < 1;
         found.byZero += byZero;
-        found.far += !byZero && std::abs(a - b) > 1e-4f;
+        found.far += !byZero && differ(v, a, b);
       }
   }
   return found;

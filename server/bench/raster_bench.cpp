@@ -174,7 +174,7 @@ int run(const Arguments& arguments) {
   if (!timesAll && (mode != "check" || arguments.size() > 1) && (mode != "time" || arguments.size() < 6))
     throw WrongArguments(
         "give ratios [RUNS], conservative [RUNS], check, or time SCENE VIEW LIGHT RUNS METHOD...");
-  const auto device = need(Device::create("", false));
+  const auto device = need(Device::create("", false, ShaderStages::all));
   FramePipelines pipelines(*device);
   if (mode == "check") return check(*device, pipelines);
   if (mode == "time") return time(*device, pipelines, arguments);

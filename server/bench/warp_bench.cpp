@@ -1,15 +1,18 @@
 // sundial-bench-warp: fitted and warped maps against plain ones, as [NOTW, section 4] compares them.
 //
-//   [RUNS [SCENE...]]     RUNS: timed frames of each method, 0 for no times
+//   [RUNS [SCENE...]]      SCENE: files whose wrong pixels are counted after those of built-in scenes
+//   tessellation [RUNS]    warped maps by the pipeline, as they are and cut up, against the warp's inverse
 //
-// SCENE: files whose wrong pixels are counted after those of built-in scenes.
+// RUNS: timed frames of each method, 0 for no times.
 // Prints the tables of server/shadow/README.md under "Warps".
 #include <fmt/format.h>
 
 #include <cstdio>
+#include <span>
 
 #include "bench/program.h"
 #include "bench/results.h"
+#include "bench/warp_tessellation.h"
 #include "bench/warped_samples.h"
 
 namespace sundial::bench {
@@ -132,14 +135,21 @@ void printSpread(Renderer& renderer) {
 }
 
 int run(const Arguments& arguments) {
-  const auto runs = arguments.empty() ? std::optional(5u) : countOf(arguments[0]);
-  if (!runs)
+  const bool tessellates = !arguments.empty() && arguments[0] == "tessellation";
+  const std::span rest = std::span(arguments).subspan(tessellates ? 1 : 0);
+  const auto runs = rest.empty() ? std::optional(5u) : countOf(rest[0]);
+  if (!runs || (tessellates && rest.size() > 1))
     throw WrongArguments(
-        "give [RUNS [SCENE...]]: RUNS timed frames of each method, 0 for no times; glTF files");
+        "give [RUNS [SCENE...]] or tessellation [RUNS]: RUNS timed frames of each method, 0 for no times; "
+        "glTF files");
+  if (tessellates) {
+    printTessellation(*runs);
+    return 0;
+  }
   const auto renderer = need(Renderer::create("", false));
   if (*runs > 0) printTimes(*renderer, *runs);
-  printWrong(*renderer,
-             {arguments.begin() + std::min<std::ptrdiff_t>(1, std::ssize(arguments)), arguments.end()});
+  const std::span files = rest.empty() ? rest : rest.subspan(1);
+  printWrong(*renderer, {files.begin(), files.end()});
   printSpread(*renderer);
   return 0;
 }

@@ -3,8 +3,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "reference/reference.h"
-
 namespace sundial::bench {
 
 using glm::dvec2;
@@ -29,15 +27,8 @@ double between(Table table, std::size_t count, double beside, double position, u
 
 // In the plan's only map, before any warp.
 std::vector<dvec2> samplesIn(const FrameScene& scene, const shared::Plan& plan) {
-  const auto values = [&](const GpuImage& image) {
-    return valuesOf<glm::uvec4>(downloaded(scene.device(), image, sizeof(glm::uvec4)));
-  };
-  const auto positions = values(scene.target().positions), normals = values(scene.target().normals);
-  std::vector<shared::ViewSample> samples(positions.size());
-  gatherSamples(positions.data(), normals.data(), samples);
-  std::vector<std::uint8_t> faces(samples.size());
-  facesLight(samples, scene.light(), scene.origin(), faces);
-
+  const std::vector<shared::ViewSample> samples = scene.samples();
+  const std::vector<std::uint8_t> faces = scene.facing();
   const shared::ShadowView& view = plan.views[0];
   const dvec2 low(view.lsMin), high(view.lsMax);
   std::vector<dvec2> out;

@@ -150,7 +150,8 @@ Result<std::vector<DeviceInfo>> Device::list() {
   return infos;
 }
 
-Result<std::unique_ptr<Device>> Device::create(std::string_view wanted, bool validation) {
+Result<std::unique_ptr<Device>> Device::create(std::string_view wanted, bool validation,
+                                               ShaderStages stages) {
   std::unique_ptr<Device> self(new Device);
   auto instance = makeInstance(validation ? self->messages_.get() : nullptr);
   if (!instance) return std::unexpected(instance.error());
@@ -198,11 +199,11 @@ Result<std::unique_ptr<Device>> Device::create(std::string_view wanted, bool val
   self->info_ = chosen->info;
   self->isCpu_ = chosen->type == VK_PHYSICAL_DEVICE_TYPE_CPU;
   if (self->isCpu_) keepFreedMemory();
-  self->open(chosen->physical);
+  self->open(chosen->physical, stages);
   return self;
 }
 
-void Device::open(VkPhysicalDevice physical) {
+void Device::open(VkPhysicalDevice physical, ShaderStages stages) {
   VkPhysicalDeviceProperties properties;
   vkGetPhysicalDeviceProperties(physical, &properties);
   limits_ = properties.limits;
@@ -224,8 +225,12 @@ void Device::open(VkPhysicalDevice physical) {
   vkGetPhysicalDeviceFeatures2(physical, &offered.all);
   for (const auto& item : features.needed()) *item.flag = VK_TRUE;
   hasInt64Atomics_ = offered.all.features.shaderInt64 && offered.v12.shaderBufferInt64Atomics;
-  features.all.features.geometryShader = offered.all.features.geometryShader;
-  hasGeometryShaders_ = offered.all.features.geometryShader == VK_TRUE;
+  if (stages == ShaderStages::all) {
+    features.all.features.geometryShader = offered.all.features.geometryShader;
+    features.all.features.tessellationShader = offered.all.features.tessellationShader;
+  }
+  hasGeometryShaders_ = features.all.features.geometryShader == VK_TRUE;
+  hasTessellationShaders_ = features.all.features.tessellationShader == VK_TRUE;
   features.all.features.shaderInt64 = features.v12.shaderBufferInt64Atomics = hasInt64Atomics_;
   const float priority = 1;
   const VkDeviceQueueCreateInfo queue{.sType = VK_STRUCTURE_TYPE_DEVICE_QUEUE_CREATE_INFO,

@@ -20,10 +20,17 @@ enum class MemoryUse {
   readback,  // the GPU writes, the host reads, cached; mapped
 };
 
+// Which shader stages a device is opened with, where it has them.
+enum class ShaderStages {
+  frames,  // vertex, fragment and compute: what frames need
+  all,     // geometry and tessellation too: papers' ways that benchmarks compare
+};
+
 class Device {
  public:
   // As Renderer::create.
-  static Result<std::unique_ptr<Device>> create(std::string_view wanted, bool validation);
+  static Result<std::unique_ptr<Device>> create(std::string_view wanted, bool validation,
+                                                ShaderStages = ShaderStages::frames);
   static Result<std::vector<DeviceInfo>> list();
   ~Device();
   Device(const Device&) = delete;
@@ -36,7 +43,8 @@ class Device {
   bool isCpu() const { return isCpu_; }
   // 64-bit atomics on storage buffers, and 64-bit integers to do them with.
   bool hasInt64Atomics() const { return hasInt64Atomics_; }
-  bool hasGeometryShaders() const { return hasGeometryShaders_; }  // no frame needs them
+  bool hasGeometryShaders() const { return hasGeometryShaders_; }
+  bool hasTessellationShaders() const { return hasTessellationShaders_; }
   std::uint64_t validationMessages() const { return messages_->load(); }
 
   // Memory for these requirements. Throws GpuError, VK_ERROR_OUT_OF_DEVICE_MEMORY among others.
@@ -49,7 +57,7 @@ class Device {
   Device() = default;
   struct Candidate;
   static Result<std::vector<Candidate>> candidates(VkInstance);
-  void open(VkPhysicalDevice);
+  void open(VkPhysicalDevice, ShaderStages);
 
   VkInstance instance_ = VK_NULL_HANDLE;
   VkDebugUtilsMessengerEXT messenger_ = VK_NULL_HANDLE;
@@ -61,6 +69,7 @@ class Device {
   bool isCpu_ = false;
   bool hasInt64Atomics_ = false;
   bool hasGeometryShaders_ = false;
+  bool hasTessellationShaders_ = false;
   std::unique_ptr<std::atomic<std::uint64_t>> messages_ = std::make_unique<std::atomic<std::uint64_t>>(0);
   CommandPool commands_;
   Fence fence_;

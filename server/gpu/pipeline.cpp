@@ -163,16 +163,18 @@ Pipeline makeComputePipeline(const Device& device, const BindingLayout& layout, 
 Pipeline makeGraphicsPipeline(const Device& device, const BindingLayout& layout,
                               const GraphicsPipelineInfo& want) {
   const SpecializationInfo specialization(want.specialization);
-  const ShaderModule vertex = makeModule(device, want.vertexShader);
-  const ShaderModule fragment =
-      want.fragmentShader.empty() ? ShaderModule() : makeModule(device, want.fragmentShader);
-  std::vector stages{stage(VK_SHADER_STAGE_VERTEX_BIT, vertex, specialization)};
-  const ShaderModule geometry =
-      want.geometryShader.empty() ? ShaderModule() : makeModule(device, want.geometryShader);
-  if (!want.geometryShader.empty())
-    stages.push_back(stage(VK_SHADER_STAGE_GEOMETRY_BIT, geometry, specialization));
-  if (!want.fragmentShader.empty())
-    stages.push_back(stage(VK_SHADER_STAGE_FRAGMENT_BIT, fragment, specialization));
+  const std::pair<VkShaderStageFlagBits, std::string_view> shaders[] = {
+      {VK_SHADER_STAGE_VERTEX_BIT, want.vertexShader},
+      {VK_SHADER_STAGE_TESSELLATION_CONTROL_BIT, want.tessellationShaders[0]},
+      {VK_SHADER_STAGE_TESSELLATION_EVALUATION_BIT, want.tessellationShaders[1]},
+      {VK_SHADER_STAGE_GEOMETRY_BIT, want.geometryShader},
+      {VK_SHADER_STAGE_FRAGMENT_BIT, want.fragmentShader}};
+  std::vector<ShaderModule> modules;
+  std::vector<VkPipelineShaderStageCreateInfo> stages;
+  for (const auto& [bit, shader] : shaders)
+    if (!shader.empty())
+      stages.push_back(stage(bit, modules.emplace_back(makeModule(device, shader)), specialization));
+  const bool tessellates = !want.tessellationShaders[0].empty();
 
   VkPipelineVertexInputStateCreateInfo input{.sType =
                                                  VK_STRUCTURE_TYPE_PIPELINE_VERTEX_INPUT_STATE_CREATE_INFO};
@@ -182,7 +184,10 @@ Pipeline makeGraphicsPipeline(const Device& device, const BindingLayout& layout,
   input.pVertexAttributeDescriptions = want.vertexAttributes.data();
   VkPipelineInputAssemblyStateCreateInfo assembly{
       .sType = VK_STRUCTURE_TYPE_PIPELINE_INPUT_ASSEMBLY_STATE_CREATE_INFO};
-  assembly.topology = VK_PRIMITIVE_TOPOLOGY_TRIANGLE_LIST;
+  assembly.topology = tessellates ? VK_PRIMITIVE_TOPOLOGY_PATCH_LIST : VK_PRIMITIVE_TOPOLOGY_TRIANGLE_LIST;
+  VkPipelineTessellationStateCreateInfo tessellation{
+      .sType = VK_STRUCTURE_TYPE_PIPELINE_TESSELLATION_STATE_CREATE_INFO};
+  tessellation.patchControlPoints = 3;
   VkPipelineViewportStateCreateInfo viewport{.sType = VK_STRUCTURE_TYPE_PIPELINE_VIEWPORT_STATE_CREATE_INFO};
   viewport.viewportCount = viewport.scissorCount = 1;
   VkPipelineRasterizationStateCreateInfo raster{
@@ -226,6 +231,7 @@ Pipeline makeGraphicsPipeline(const Device& device, const BindingLayout& layout,
   info.pStages = stages.data();
   info.pVertexInputState = &input;
   info.pInputAssemblyState = &assembly;
+  info.pTessellationState = tessellates ? &tessellation : nullptr;
   info.pViewportState = &viewport;
   info.pRasterizationState = &raster;
   info.pMultisampleState = &multisample;

@@ -1,6 +1,7 @@
 // Shaders, the one set of bindings that all of them share, and pipelines.
 #pragma once
 
+#include <array>
 #include <functional>
 #include <map>
 #include <span>
@@ -56,11 +57,14 @@ struct GraphicsPipelineInfo {
   std::vector<VkVertexInputBindingDescription> vertexBindings = {};
   std::vector<VkVertexInputAttributeDescription> vertexAttributes = {};
   std::vector<VkFormat> colourFormats = {};
-  bool depth = false;                    // D32, reversed: nearer is greater
-  bool depthAlways = false;              // drawn over what is there, whatever its depth
-  bool depthClamp = false;               // casters before the near plane are kept, at depth 1
-  std::string_view geometryShader = {};  // where the device has them: Device::hasGeometryShaders()
-  bool adds = false;                     // fragments add up, instead of the last one staying
+  bool depth = false;        // D32, reversed: nearer is greater
+  bool depthAlways = false;  // drawn over what is there, whatever its depth
+  bool depthClamp = false;   // casters before the near plane are kept, at depth 1
+  // Where the device has them: Device::hasGeometryShaders(), hasTessellationShaders(). Tessellation: control
+  // and evaluation, both or none.
+  std::string_view geometryShader = {};
+  std::array<std::string_view, 2> tessellationShaders = {};
+  bool adds = false;  // fragments add up, instead of the last one staying
   VkSampleCountFlagBits samples = VK_SAMPLE_COUNT_1_BIT;
 };
 // Triangles; viewport, scissor and (VK 1.3) cull mode are dynamic; counter-clockwise seen with y up is the

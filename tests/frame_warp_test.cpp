@@ -22,11 +22,12 @@ std::shared_ptr<const Scene> curtain(int squares = 1) {
     builder.addInstance("quad", mesh, glm::dmat4(1));
   };
   const float side = 120 / float(squares);
-  for (int i = 0; i < squares * squares; ++i) {
-    const glm::vec3 corner(-60 + side * float(i % squares), 0, -60 + side * float(i / squares));
-    const glm::vec3 x(side, 0, 0), z(0, 0, side);
-    quad(corner, corner + z, corner + x + z, corner + x);
-  }
+  const glm::vec3 x(side, 0, 0), z(0, 0, side);
+  for (int row = 0; row < squares; ++row)
+    for (int column = 0; column < squares; ++column) {
+      const glm::vec3 corner = glm::vec3(-60, 0, -60) + float(column) * x + float(row) * z;
+      quad(corner, corner + z, corner + x + z, corner + x);
+    }
   quad({-25, 1, -6}, {25, 1, 14}, {25, 9, 14}, {-25, 9, -6});
   return sharedScene(std::move(builder).finish());
 }

@@ -26,7 +26,7 @@ float footprint(uint view, ViewSample s) {
   vec2 texelsPerUnit = 0.5 * vec2(v.rectSize) / clip.w;
   if (kWarp != kWarpNone) {
     vec2 stretch;
-    warpedPosition(0.5 * (shadow.xy + 1) * vec2(v.rectSize), stretch);
+    warpedPosition(view, 0.5 * (shadow.xy + 1) * vec2(v.rectSize), stretch);
     texelsPerUnit *= stretch;
   }
   const mat2 texelFromPlane = mat2((clipU.xy - shadow.xy * clipU.w) * texelsPerUnit,

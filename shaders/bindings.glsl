@@ -30,6 +30,7 @@ layout(set = 0, binding = kBindPlanes) uniform samplerBuffer planeTexels;
 layout(set = 0, binding = kBindLinearTexels) uniform usamplerBuffer linearTexels;
 layout(set = 0, binding = kBindTables) uniform usamplerBuffer tableTexels;
 layout(set = 0, binding = kBindWarpTexels) uniform usamplerBuffer warpTexels;
+layout(set = 0, binding = kBindCentreTexels) uniform usamplerBuffer centreTexels;
 layout(set = 0, binding = kBindHeld) uniform usamplerBuffer heldTriangles;
 layout(set = 0, binding = kBindTextures) uniform sampler2DArray textures;
 layout(set = 0, binding = kBindDepth) uniform sampler2D gbufferDepth;

@@ -16,6 +16,7 @@ const uint kColumnsPerEntry = 8, kEntriesPerGroup = 8, kViewBits = 8;
 const float kRounding = 1e-2;  // texels
 
 struct WarpedTriangle {
+  uint view;
   bool drawn;      // false: it covers nothing
   ivec2 columns;   // of the warped map, first and last
   vec2 rows;       // the triangle's range before the warp, texels
@@ -27,20 +28,20 @@ struct WarpedTriangle {
   mat3 attributes;  // weights of the corners, over w
 };
 
-vec2 boundsOf(uint level, uint group, float position) {
-  const uint at = boundAt(level, group), k = min(uint(position), warpSize().x - 1);
+vec2 boundsOf(uint view, uint level, uint group, float position) {
+  const uint at = boundAt(view, level, group), k = min(uint(position), warpSize().x - 1);
   return mix(warpTexel(at + k), warpTexel(at + k + 1), position - float(k));
 }
 
 // The columns of the warped map that a box of the map may reach into: between the least value that any of its rows'
 // functions has at its left side and the greatest at its right. README.md derives it.
-ivec2 warpedColumns(vec2 low, vec2 high) {
+ivec2 warpedColumns(uint view, vec2 low, vec2 high) {
   const uint last = warpSize().x, count = functions(false);
   const uint from = uint(clamp(low.y - 0.5, 0, float(count - 1))), to = min(uint(max(high.y - 0.5, 0)) + 1, count - 1);
   vec2 range = vec2(1e30, -1e30);
   if (to - from < (1u << kFirstLevel)) {
     for (uint f = from; f <= to; ++f) {
-      const uint table = functionAt(f, false);
+      const uint table = functionAt(view, f, false);
       range = vec2(min(range.x, valueAt(table, low.x, last).x), max(range.y, valueAt(table, high.x, last).x));
     }
   } else {
@@ -48,14 +49,15 @@ ivec2 warpedColumns(vec2 low, vec2 high) {
     uint level = kFirstLevel;
     while ((1u << level) < to - from + 1) ++level;
     for (uint group = from >> level; group <= to >> level; ++group)
-      range = vec2(min(range.x, boundsOf(level, group, low.x).x), max(range.y, boundsOf(level, group, high.x).y));
+      range = vec2(min(range.x, boundsOf(view, level, group, low.x).x),
+                   max(range.y, boundsOf(view, level, group, high.x).y));
   }
   return ivec2(max(ceil(range.x - 0.5 - kRounding), 0), min(floor(range.y - 0.5 + kRounding), float(last - 1)));
 }
 
 // And the rows of one of these columns: its middle has one function.
-ivec2 warpedRows(uint column, vec2 range) {
-  const uint last = warpSize().y, table = between(float(column) + 0.5, true).first;
+ivec2 warpedRows(uint view, uint column, vec2 range) {
+  const uint last = warpSize().y, table = between(view, float(column) + 0.5, true).first;
   return ivec2(max(ceil(valueAt(table, range.x, last).x - 0.5 - kRounding), 0),
                min(floor(valueAt(table, range.y, last).x - 0.5 + kRounding), float(last - 1)));
 }
@@ -64,7 +66,7 @@ ivec2 warpedRows(uint column, vec2 range) {
 ivec2 rowsIn(WarpedTriangle t, uint column) {
   vec2 range = t.rows;
   if (kWarp == kWarpRectilinear) {
-    const float x = warpTexel(column).x - t.reference.x;
+    const float x = centreTexel(t.view, column).x - t.reference.x;
     for (int i = 0; i < 3; ++i) {
       const vec3 edge = t.edges[i];
       const float at = edge.x * x + edge.z + 2 * t.slack[i];
@@ -72,11 +74,12 @@ ivec2 rowsIn(WarpedTriangle t, uint column) {
       if (edge.y < 0) range.y = min(range.y, t.reference.y - at / edge.y);
     }
   }
-  return warpedRows(column, range);
+  return warpedRows(t.view, column, range);
 }
 
-WarpedTriangle warpedTriangle(Corner corners[3]) {
+WarpedTriangle warpedTriangle(uint view, Corner corners[3]) {
   WarpedTriangle t;
+  t.view = view;
   t.drawn = false;
   // Beyond one side of the map, or behind a spot light.
   bvec4 beyond = bvec4(true);
@@ -111,11 +114,11 @@ WarpedTriangle warpedTriangle(Corner corners[3]) {
   if (any(greaterThan(low, size)) || any(lessThan(high, vec2(0)))) return t;
   low = clamp(low, vec2(0), size);
   high = clamp(high, vec2(0), size);
-  t.columns = warpedColumns(low, high);
+  t.columns = warpedColumns(view, low, high);
   t.rows = vec2(low.y, high.y);
   if (t.columns.x > t.columns.y) return t;
   if (kWarp == kWarpRectilinear) {
-    const ivec2 rows = warpedRows(0, t.rows);  // the same for all columns
+    const ivec2 rows = warpedRows(view, 0, t.rows);  // the same for all columns
     if (rows.x > rows.y) return t;
   }
 
@@ -132,8 +135,8 @@ WarpedTriangle warpedTriangle(Corner corners[3]) {
   return t;
 }
 
-void keepIfCovered(uint view, uint id, WarpedTriangle t, Corner corners[3], uint material, uvec2 texel) {
-  const vec3 p = vec3(centreOrigin(texel) - t.reference, 1);
+void keepIfCovered(uint id, WarpedTriangle t, Corner corners[3], uint material, uvec2 texel) {
+  const vec3 p = vec3(centreOrigin(t.view, texel) - t.reference, 1);
   if (any(lessThan(p * t.edges + t.slack, vec3(0)))) return;
   if (kMasked) {
     const vec3 perW = p * t.attributes, weights = perW / (perW.x + perW.y + perW.z);
@@ -141,7 +144,7 @@ void keepIfCovered(uint view, uint id, WarpedTriangle t, Corner corners[3], uint
     if (isHole(materials[material], a.xy, vec4(1, 1, 1, a.z))) return;
   }
   const float depth = clamp(clamp(dot(p, t.depths), t.depthRange.x, t.depthRange.y), 0, 1);
-  keep(plan.views[view].linearOffset + texel.y * warpSize().x + texel.x, depth, id);
+  keep(plan.views[t.view].linearOffset + texel.y * warpSize().x + texel.x, depth, id);
 }
 
 #endif

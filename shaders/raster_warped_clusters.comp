@@ -35,7 +35,7 @@ void main() {
   const uint id = triangleId(command.firstInstance, triangle);
   Corner corners[3];
   readTriangle(push.view, id, corners);
-  const WarpedTriangle t = warpedTriangle(corners);
+  const WarpedTriangle t = warpedTriangle(push.view, corners);
   if (!t.drawn) return;
   // As many rows as in the middle, about.
   const ivec2 middle = rowsIn(t, uint(t.columns.x + t.columns.y) / 2);
@@ -47,6 +47,6 @@ void main() {
   const uint material = kMasked ? clusters[drawAt(command.firstInstance).cluster].material : 0;
   for (int x = t.columns.x; x <= t.columns.y; ++x) {
     const ivec2 rows = rowsIn(t, uint(x));
-    for (int y = rows.x; y <= rows.y; ++y) keepIfCovered(push.view, id, t, corners, material, uvec2(x, y));
+    for (int y = rows.x; y <= rows.y; ++y) keepIfCovered(id, t, corners, material, uvec2(x, y));
   }
 }

@@ -16,11 +16,11 @@ void main() {
   const uint view = entry.view & ((1u << kViewBits) - 1);
   Corner corners[3];
   readTriangle(view, entry.id, corners);
-  const WarpedTriangle t = warpedTriangle(corners);
+  const WarpedTriangle t = warpedTriangle(view, corners);
   const int x = t.columns.x + int((entry.view >> kViewBits) * kColumnsPerEntry +
                                   gl_LocalInvocationID.x % kColumnsPerEntry);
   if (!t.drawn || x > t.columns.y) return;
   const uint material = kMasked ? clusters[drawAt(entry.id / kMaxClusterTriangles).cluster].material : 0;
   const ivec2 rows = rowsIn(t, uint(x));
-  for (int y = rows.x; y <= rows.y; ++y) keepIfCovered(view, entry.id, t, corners, material, uvec2(x, y));
+  for (int y = rows.x; y <= rows.y; ++y) keepIfCovered(entry.id, t, corners, material, uvec2(x, y));
 }

@@ -34,7 +34,7 @@ Receiver receiverIn(uint view, ViewSample s) {
   r.viewSample = s;
   r.unwarped = (ls.xy - vec2(lsMin.x, lsMax.y)) * texelsPerLight;
   vec2 stretch = vec2(1);
-  r.texel = kWarp == kWarpNone ? r.unwarped : warpedPosition(r.unwarped, stretch);
+  r.texel = kWarp == kWarpNone ? r.unwarped : warpedPosition(view, r.unwarped, stretch);
 
   const vec4 plane = planeInView(view, s.wsNormal, s.wsPosition);
   // A plane that contains the light's ray has no slope to follow; it isn't lit either.
@@ -55,8 +55,8 @@ Receiver receiverIn(uint view, ViewSample s) {
 }
 
 // The receiver's depth at the centre of a texel.
-float depthAt(Receiver r, ivec2 texel) {
-  const vec2 centre = kWarp == kWarpNone ? vec2(texel) + 0.5 : centreOrigin(uvec2(texel));
+float depthAt(uint view, Receiver r, ivec2 texel) {
+  const vec2 centre = kWarp == kWarpNone ? vec2(texel) + 0.5 : centreOrigin(view, uvec2(texel));
   return r.depth + dot(r.depthPerTexel, centre - r.unwarped);
 }
 

@@ -11,7 +11,7 @@ vec4 warpedClip(vec4 shadow) {
   // Beyond the map there is nothing to stretch.
   const vec2 inside = clamp(p, vec2(0), size);
   vec2 stretch;
-  const vec2 warped = warpedPosition(inside, stretch) + (p - inside);
+  const vec2 warped = warpedPosition(view, inside, stretch) + (p - inside);
   return vec4((2 * warped / size - 1) * shadow.w, shadow.zw);
 }
 

@@ -28,7 +28,7 @@ float storedDepth(uint view, ivec2 texel) {
 // 1 if nothing in this texel is nearer to the light than the receiver. A receiver that ends within the texel may have
 // its plane reach past the far plane there: nothing that a map holds is farther.
 float litBy(uint view, Receiver r, ivec2 texel) {
-  return max(depthAt(r, texel), 0) >= storedDepth(view, texel) ? 1.0 : 0.0;
+  return max(depthAt(view, r, texel), 0) >= storedDepth(view, texel) ? 1.0 : 0.0;
 }
 
 #endif

@@ -10,6 +10,10 @@ vec4 inViewSpace(uint view, vec4 light) {
   return kCube ? turnedFace(faceFromLight(view, light), frame.faceTurn[view]) : light;
 }
 
+vec4 outOfViewSpace(uint view, vec4 v) {
+  return kCube ? lightFromFace(view, turnedFace(v, frame.faceTurn[view] * vec2(1, -1))) : v;
+}
+
 // From world space, relative to the frame's origin.
 vec4 pointInView(uint view, vec3 ws) { return inViewSpace(view, plan.lightFromWorld * vec4(ws, 1)); }
 vec4 directionInView(uint view, vec3 ws) { return inViewSpace(view, plan.lightFromWorld * vec4(ws, 0)); }

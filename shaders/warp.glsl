@@ -11,14 +11,17 @@
 #define SUNDIAL_WARP_GLSL
 #include "bindings.glsl"
 #include "shared/choices.h"
+#include "view_space.glsl"
 
 layout(constant_id = 7) const uint kWarp = kWarpNone;
 
-// How tables lie in the buffer, one behind the other, pairs of floats, written as `warps`, and read at random as `warpTexels`:
-//   where texels' centres came from; for a rectilinear warp x column by column, then y row by row
+// How tables lie in their buffers, a view's behind another's, pairs of floats. Written as `warps`, and read at random as
+// `warpTexels`:
 //   X at the edges of texels, function by function: its value, and how much longer the step from there is after the warp
 //   Y likewise
 //   bounds of X over groups of functions, least and greatest
+// In the place of the importance that all was made from, and read as `centreTexels`:
+//   where texels' centres came from; for a rectilinear warp x column by column, then y row by row
 uvec2 warpSize() { return frame.settings.mapSize; }
 uint functions(bool down) { return kWarp == kWarpNonOrthogonal ? (down ? warpSize().x : warpSize().y) : 1; }
 uint knots(bool down) { return (down ? warpSize().y : warpSize().x) + 1; }
@@ -37,11 +40,22 @@ uint lastLevel() {
   return level;
 }
 
-uint centres() { return kWarp == kWarpNonOrthogonal ? warpSize().x * warpSize().y : warpSize().x + warpSize().y; }
-uint functionAt(uint f, bool down) {
-  return centres() + (down ? functions(false) * knots(false) : 0) + f * knots(down);
+uint functionAt(uint view, uint f, bool down) {
+  return (kCube ? view * frame.settings.warpEntries : 0) + (down ? functions(false) * knots(false) : 0) + f * knots(down);
 }
-uint boundAt(uint level, uint group) { return functionAt(functions(true), true) + (groupsBefore(level) + group) * knots(false); }
+uint boundAt(uint view, uint level, uint group) {
+  return functionAt(view, functions(true), true) + (groupsBefore(level) + group) * knots(false);
+}
+
+// Importance has as many entries as there are centres, and behind those of all views as many that are gathered from them.
+uint centres() { return kWarp == kWarpNonOrthogonal ? warpSize().x * warpSize().y : warpSize().x + warpSize().y; }
+uint importanceAt(uint view) { return kCube ? view * centres() : 0; }
+uint gatheredAt(uint view) { return (kCube ? kCubeFaces : 1) * centres() + importanceAt(view); }
+
+// Texels at each side of a map that stay as wide as they are: what lookups see beyond the face that a map is of.
+uint warpRim() {
+  return kCube ? uint(min(frame.settings.rimTexels, 0.25 * float(min(warpSize().x, warpSize().y)) - 1)) : 0;
+}
 
 vec2 warpTexel(uint at) { return uintBitsToFloat(texelFetch(warpTexels, int(at)).xy); }
 
@@ -59,33 +73,35 @@ struct Between {
   uint second;
   float share;
 };
-Between between(float position, bool down) {
+Between between(uint view, float position, bool down) {
   const float at = clamp(position - 0.5, 0, float(functions(down) - 1));
-  const uint first = uint(at);
-  return Between(functionAt(first, down), functionAt(min(first + 1, functions(down) - 1), down), at - float(first));
+  const uint first = uint(at), second = min(first + 1, functions(down) - 1);
+  return Between(functionAt(view, first, down), functionAt(view, second, down), at - float(first));
 }
 
 // What the functions around `beside` make of a position, and its stretch.
-vec2 warpedAlong(float position, float beside, bool down) {
+vec2 warpedAlong(uint view, float position, float beside, bool down) {
   const uint last = knots(down) - 1;
-  if (functions(down) == 1) return valueAt(functionAt(0, down), position, last);
-  const Between a = between(beside, down);
+  if (functions(down) == 1) return valueAt(functionAt(view, 0, down), position, last);
+  const Between a = between(view, beside, down);
   return mix(valueAt(a.first, position, last), valueAt(a.second, position, last), a.share);
 }
 
-float warpedAcross(vec2 p) { return warpedAlong(p.x, p.y, false).x; }
+float warpedAcross(uint view, vec2 p) { return warpedAlong(view, p.x, p.y, false).x; }
 
 // Where a position goes, and how much longer steps across and down are there.
-vec2 warpedPosition(vec2 p, out vec2 stretch) {
-  const vec2 across = warpedAlong(p.x, p.y, false), down = warpedAlong(p.y, across.x, true);
+vec2 warpedPosition(uint view, vec2 p, out vec2 stretch) {
+  const vec2 across = warpedAlong(view, p.x, p.y, false), down = warpedAlong(view, p.y, across.x, true);
   stretch = vec2(across.y, down.y);
   return vec2(across.x, down.x);
 }
 
 // The inverse at the centre of a warped texel, from the table.
-vec2 centreOrigin(uvec2 texel) {
-  if (kWarp == kWarpRectilinear) return vec2(warpTexel(texel.x).x, warpTexel(warpSize().x + texel.y).x);
-  return warpTexel(texel.y * warpSize().x + texel.x);
+vec2 centreTexel(uint view, uint at) { return uintBitsToFloat(texelFetch(centreTexels, int(importanceAt(view) + at)).xy); }
+vec2 centreOrigin(uint view, uvec2 texel) {
+  if (kWarp == kWarpRectilinear)
+    return vec2(centreTexel(view, texel.x).x, centreTexel(view, warpSize().x + texel.y).x);
+  return centreTexel(view, texel.y * warpSize().x + texel.x);
 }
 
 #endif

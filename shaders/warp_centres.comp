@@ -5,6 +5,7 @@
 #include "warp.glsl"
 
 layout(local_size_x = 64) in;
+layout(set = 0, binding = kBindImportance, scalar) buffer CentreBlock { vec2 origins[]; };
 
 float mixedAt(Between a, uint knot) {
   const float value = warpTexel(a.first + knot).x;
@@ -28,19 +29,21 @@ float inverseOf(Between a, float value, uint last, inout uint near) {
 }
 
 void main() {
-  const uint column = gl_GlobalInvocationID.x;
+  const uint column = gl_GlobalInvocationID.x, view = gl_WorkGroupID.z;
+  if (plan.views[view].empty != 0) return;
+  const uint first = importanceAt(view);
   const uvec2 size = warpSize();
   const float middle = float(column) + 0.5;
   uvec2 near = uvec2(0);
   if (kWarp == kWarpRectilinear) {  // here also a row
-    if (column < size.x) warps[column].x = inverseOf(between(0, false), middle, size.x, near.x);
-    if (column < size.y) warps[size.x + column].x = inverseOf(between(0, true), middle, size.y, near.y);
+    if (column < size.x) origins[first + column].x = inverseOf(between(view, 0, false), middle, size.x, near.x);
+    if (column < size.y) origins[first + size.x + column].x = inverseOf(between(view, 0, true), middle, size.y, near.y);
     return;
   }
   if (column >= size.x) return;
-  const Between down = between(middle, true);  // one function: this is a column's middle
+  const Between down = between(view, middle, true);  // one function: this is a column's middle
   for (uint row = 0; row < size.y; ++row) {
     const float y = inverseOf(down, float(row) + 0.5, size.y, near.y);
-    warps[row * size.x + column] = vec2(inverseOf(between(y, false), middle, size.x, near.x), y);
+    origins[first + row * size.x + column] = vec2(inverseOf(between(view, y, false), middle, size.x, near.x), y);
   }
 }

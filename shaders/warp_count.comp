@@ -10,10 +10,11 @@ void main() {
   for (uint i = 0; i < kSamplesPerInvocation; ++i) {
     const uint pixel = firstPixel() + i * kSampleGroup;
     if (pixel >= pixelCount()) break;
+    uint view;
     vec2 p;
-    if (!positionOf(sampleOf(pixel), p)) continue;
-    if (kDown) p.x = warpedAcross(p);
+    if (!positionOf(sampleOf(pixel), view, p)) continue;
+    if (kDown) p.x = warpedAcross(view, p);
     const uvec2 texel = min(uvec2(p), warpSize() - 1);
-    atomicAdd(importance[texel.y * warpSize().x + texel.x], 1);
+    atomicAdd(importance[importanceAt(view) + texel.y * warpSize().x + texel.x], 1);
   }
 }

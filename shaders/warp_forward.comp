@@ -13,19 +13,20 @@ bool inFrustum(vec3 wsPosition) {
 
 void main() {
   const uvec2 size = warpSize(), texel = gl_GlobalInvocationID.xy;
-  if (texel.x >= size.x || plan.views[0].empty != 0) return;
-  const float depth = storedDepth(0, ivec2(texel));
+  const uint view = gl_WorkGroupID.z;
+  if (texel.x >= size.x || plan.views[view].empty != 0) return;
+  const float depth = storedDepth(view, ivec2(texel));
   if (depth <= 0) return;
-  const vec3 low = plan.views[0].lsMin, high = plan.views[0].lsMax;
+  const vec3 low = plan.views[view].lsMin, high = plan.views[view].lsMax;
   const vec2 share = (vec2(texel) + 0.5) / vec2(size);
-  const vec4 ws = plan.worldFromLight * vec4(mix(low, high, vec3(share.x, 1 - share.y, depth)), 1);
+  const vec4 ws = plan.worldFromLight * outOfViewSpace(view, vec4(mix(low, high, vec3(share.x, 1 - share.y, depth)), 1));
   const vec3 wsPosition = ws.xyz / ws.w;
   if (!inFrustum(wsPosition)) return;
   vec2 sum = vec2(0);
   if (weightOf(kNearness) > 0) sum += weightOf(kNearness) * nearness(wsPosition);
   if (weightOf(kFacing) > 0) sum += weightOf(kFacing);
   if (weightOf(kDensity) > 0)
-    sum += weightOf(kDensity) * density(wsPosition, normalize(frame.wsEye - wsPosition));
-  if (weightOf(kShadowEdges) > 0 && isShadowEdge(ivec2(texel))) sum += weightOf(kShadowEdges);
-  makeImportant(texel, sum);
+    sum += weightOf(kDensity) * density(view, wsPosition, normalize(frame.wsEye - wsPosition));
+  if (weightOf(kShadowEdges) > 0 && isShadowEdge(view, ivec2(texel))) sum += weightOf(kShadowEdges);
+  makeImportant(view, texel, sum);
 }

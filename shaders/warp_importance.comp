@@ -27,16 +27,17 @@ void main() {
     const uint pixel = firstPixel() + i * kSampleGroup;
     if (pixel >= pixelCount()) break;
     const ViewSample s = sampleOf(pixel);
+    uint view;
     vec2 p;
-    if (!positionOf(s, p)) continue;
+    if (!positionOf(s, view, p)) continue;
     const uvec2 texel = min(uvec2(p), warpSize() - 1);
     vec2 sum = vec2(0);
     if (weightOf(kNearness) > 0) sum += weightOf(kNearness) * nearness(s.wsPosition);
     if (weightOf(kFacing) > 0) sum += weightOf(kFacing) * abs(dot(s.wsNormal, normalize(frame.wsEye - s.wsPosition)));
     if (weightOf(kEdges) > 0 && isEdge(ivec2(pixel % frame.imageSize.x, pixel / frame.imageSize.x)))
       sum += weightOf(kEdges);
-    if (weightOf(kDensity) > 0) sum += weightOf(kDensity) * density(s.wsPosition, s.wsNormal);
-    if (kHybrid && weightOf(kShadowEdges) > 0 && isShadowEdge(ivec2(texel))) sum += weightOf(kShadowEdges);
-    makeImportant(texel, sum);
+    if (weightOf(kDensity) > 0) sum += weightOf(kDensity) * density(view, s.wsPosition, s.wsNormal);
+    if (kHybrid && weightOf(kShadowEdges) > 0 && isShadowEdge(view, ivec2(texel))) sum += weightOf(kShadowEdges);
+    makeImportant(view, texel, sum);
   }
 }

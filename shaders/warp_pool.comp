@@ -10,16 +10,18 @@ layout(constant_id = 0) const bool kDown = false;
 
 void main() {
   const uint lane = gl_GlobalInvocationID.x;  // a column, or the second time a row
+  const uint view = gl_WorkGroupID.z;
   const uvec2 size = warpSize();
   const uint lanes = kDown ? size.y : size.x, length_ = kDown ? size.x : size.y;
-  if (lane >= lanes) return;
-  const uint first = kDown ? lane * size.x : lane, step_ = kDown ? 1 : size.x;
-  const uint reach = frame.settings.warpWindow / 2, pooled = size.x * size.y;
+  if (lane >= lanes || plan.views[view].empty != 0) return;
+  const uint start = kDown ? lane * size.x : lane, step_ = kDown ? 1 : size.x;
+  const uint first = importanceAt(view) + start, pooled = gatheredAt(view) + start;
+  const uint reach = frame.settings.warpWindow / 2;
   uint sum = 0;
   for (uint i = 0; i < min(reach, length_); ++i) sum += importance[first + i * step_];
   for (uint i = 0; i < length_; ++i) {
     if (i + reach < length_) sum += importance[first + (i + reach) * step_];
     if (i > reach) sum -= importance[first + (i - reach - 1) * step_];
-    importance[pooled + first + i * step_] = sum;
+    importance[pooled + i * step_] = sum;
   }
 }

@@ -8,14 +8,15 @@ layout(local_size_x = 64) in;
 layout(constant_id = 0) const bool kDown = false;
 
 void main() {
-  const uint k = gl_GlobalInvocationID.x, first = kDown ? warpSize().x : 0;
+  const uint k = gl_GlobalInvocationID.x, view = gl_WorkGroupID.z;
+  const uint start = kDown ? warpSize().x : 0, first = importanceAt(view) + start;
   const uint length_ = kDown ? warpSize().y : warpSize().x, reach = frame.settings.warpWindow / 2;
-  if (k >= length_) return;
+  if (k >= length_ || plan.views[view].empty != 0) return;
   float sum = 0, weights = 0;
   for (uint i = k - min(k, reach); i <= min(k + reach, length_ - 1); ++i) {
     const float weight = float(reach + 1) - abs(float(i) - float(k));
     sum += weight * uintBitsToFloat(importance[first + i]);
     weights += weight;
   }
-  importance[warpSize().x + warpSize().y + first + k] = floatBitsToUint(sum / weights);
+  importance[gatheredAt(view) + start + k] = floatBitsToUint(sum / weights);
 }

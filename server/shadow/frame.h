@@ -68,7 +68,7 @@ class Frame {
 
   bool drawsByCompute() const { return isLinear(method_); }
   shared::Plan downloadPlan() const;          // viewCount 0 for methods without a map
-  std::vector<float> downloadWarp() const;    // the tables of shaders/warp.glsl; empty without a warp
+  WarpTables downloadWarp() const;            // empty without a warp
   std::vector<float> downloadDepths() const;  // Store::depths()
   std::uint64_t storeTexels() const;          // that there is memory for
   std::uint64_t storeBytes() const;

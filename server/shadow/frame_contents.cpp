@@ -14,8 +14,10 @@ shared::Plan Frame::downloadPlan() const {
   return plan;
 }
 
-std::vector<float> Frame::downloadWarp() const {
-  return warp_ ? valuesOf<float>(downloaded(view_.device, warp_->tables())) : std::vector<float>();
+WarpTables Frame::downloadWarp() const {
+  if (!warp_) return {};
+  return {valuesOf<glm::vec2>(downloaded(view_.device, warp_->functions())),
+          valuesOf<glm::vec2>(downloaded(view_.device, warp_->centres()))};
 }
 
 std::vector<float> Frame::downloadDepths() const { return store_ ? store_->depths() : std::vector<float>(); }

@@ -139,9 +139,9 @@ std::uint32_t warpOf(Warp warp) {
                                      : shared::kWarpNonOrthogonal;
 }
 
-// Of shaders that have nothing but the warp to choose, and one number of their own.
-Specialization warpConstants(Warp warp, std::uint32_t own = 0) {
-  return {own, 0, 0, 0, 0, 0, 0, warpOf(warp)};
+// Of shaders that have nothing but the warp and its maps to choose, and one number of their own.
+Specialization warpConstants(const Stages& stages, std::uint32_t own = 0) {
+  return {own, 0, 0, 0, 0, 0, 0, warpOf(stages.warp), stages.partition == Partition::cube};
 }
 
 std::uint32_t storeOf(const Method& method) {
@@ -240,7 +240,7 @@ MethodPipelines FramePipelines::of(const Method& method) {
     made.storeMasked = drawing(storeOf("store_placed_masked.vert", "store_depth_masked.frag", true));
     made.storeClear = drawing(clearOf());
   } else if (stages.warp != Warp::none && !isLinear(method)) {
-    const Specialization warp = warpConstants(stages.warp);
+    const Specialization warp = warpConstants(stages);
     made.store = drawing(storeOf("store_warped.vert", "", false), warp);
     made.storeMasked = drawing(storeOf("store_warped_masked.vert", "store_depth_masked.frag", true), warp);
   } else if (stages.storage == Storage::moments) {
@@ -258,7 +258,8 @@ RasterPipelines FramePipelines::raster(const RasterChoice& choice, bool opaque, 
   RasterPipelines made{.begin = compute("raster_begin.comp", {})};
   for (const bool isMasked : {false, true}) {
     if (!(isMasked ? masked : opaque)) continue;
-    const Specialization constants{choice.coverage, isMasked, choice.ids, 0, 0, 0, 0, warpOf(choice.warp)};
+    const Specialization constants{choice.coverage,     isMasked,   choice.ids, 0, 0, 0, 0,
+                                   warpOf(choice.warp), choice.cube};
     if (choice.warp != Warp::none) {
       made.kinds[isMasked] = {.clusters = compute("raster_warped_clusters.comp", constants),
                               .listed = compute("raster_warped_listed.comp", constants)};
@@ -288,24 +289,24 @@ VkPipeline FramePipelines::want(const Method& method) {
 }
 
 WarpPipelines FramePipelines::warp(const Method& method) {
-  const Warp warp = method.stages->warp;
+  const Stages& stages = *method.stages;
   const auto both = [&](std::string_view shader) {
-    return std::array{compute(shader, warpConstants(warp, VK_FALSE)),
-                      compute(shader, warpConstants(warp, VK_TRUE))};
+    return std::array{compute(shader, warpConstants(stages, VK_FALSE)),
+                      compute(shader, warpConstants(stages, VK_TRUE))};
   };
   WarpPipelines made{.functions = both("warp_functions.comp"),
-                     .centres = compute("warp_centres.comp", warpConstants(warp))};
-  if (warp == Warp::rectilinear) {
+                     .centres = compute("warp_centres.comp", warpConstants(stages))};
+  if (stages.warp == Warp::rectilinear) {
     made.smooth = both("warp_smooth.comp");
     const Analysis analysis = method.settings.analysis;
-    Specialization constants = warpConstants(warp, storeOf(method));
+    Specialization constants = warpConstants(stages, storeOf(method));
     constants[1] = analysis == Analysis::hybrid;
     made.importance =
         compute(analysis == Analysis::forward ? "warp_forward.comp" : "warp_importance.comp", constants);
   } else {
     made.count = both("warp_count.comp");
     made.pool = both("warp_pool.comp");
-    made.bounds = compute("warp_bounds.comp", warpConstants(warp));
+    made.bounds = compute("warp_bounds.comp", warpConstants(stages));
   }
   return made;
 }

@@ -32,6 +32,7 @@ struct RasterChoice {
   bool sums = false;  // 32 bits a texel, of a sum over all triangles: tests alone
   std::uint32_t coverage = shared::kCoverCentre;
   Warp warp = Warp::none;  // with centre coverage, without ids
+  bool cube = false;       // the warp's maps are a cube's
 };
 
 // Its rounds, for opaque and for masked triangles.

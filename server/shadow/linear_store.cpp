@@ -19,7 +19,8 @@ TexelBuffer makeMaps(const Device& device, std::uint64_t texels, std::uint64_t b
 RasterChoice rasterOf(const Stages& stages) {
   return {.ids = keepsIds(stages.storage),
           .coverage = asksTriangles(stages.lookup) ? shared::kCoverConservative : shared::kCoverCentre,
-          .warp = stages.warp};
+          .warp = stages.warp,
+          .cube = stages.warp != Warp::none && stages.partition == Partition::cube};
 }
 
 }  // namespace

@@ -6,6 +6,7 @@
 
 #include "shadow/moment_store.h"
 #include "shadow/raster_choice.h"
+#include "shadow/warp_maps.h"
 
 namespace sundial {
 
@@ -185,6 +186,7 @@ void settle(shared::FrameConstants& c, const Method& method, const dvec3& origin
   const double side = std::max(from.width, from.height);
   to.warpWindow =
       static_cast<std::uint32_t>(from.window.value_or(side / (stages.warp == Warp::rectilinear ? 32 : 4)));
+  to.warpEntries = static_cast<std::uint32_t>(warpSizesOf(stages.warp, to.mapSize).functions);
   to.warpEvenShare = static_cast<float>(from.even);
   to.warpPower = static_cast<float>(from.power);
   if (stages.warp == Warp::rectilinear) std::ranges::copy(from.weights, to.warpWeights);

@@ -96,14 +96,13 @@ std::optional<std::string> whyImpossible(const Stages& stages) {
   if (cube && stages.focus == Focus::aligned)
     return "focus=aligned turns a map to the camera's depth, and a cube's faces lie about the light: use "
            "focus=aabb";
-  if (cube && stages.warp != Warp::none)
-    return "a warp is made for the samples in one map, and partition=cube has six: use warp=none";
   if (cube && stages.storage == Storage::moments)
     return "storage=moments is filtered within one map, and shadows would break at the edges of "
            "partition=cube: use storage=depth with lookup=pcf";
   if (stages.warp != Warp::none) {
     if (!single || !samples)
-      return "a warp is made for the samples in one map: use volume=samples with partition=single";
+      return "a warp is made for the samples in a map: use volume=samples with partition=single, or "
+             "partition=cube around a point light";
     if (stages.resolution != Resolution::fixed)
       return "a warp shares out the texels of a map of given size: use resolution=fixed";
     if (stages.storage != Storage::depth && stages.storage != Storage::linear)

@@ -35,12 +35,13 @@ std::uint64_t texelsOf(const shared::Plan& plan) {
 
 std::optional<std::string> whyTooLarge(const Method& method, const Device& device) {
   if (!method.stages) return std::nullopt;
+  const std::uint64_t views = shadowViewsOf(method);
   const WarpSizes warp = warpSizesOf(method.stages->warp, {method.settings.width, method.settings.height});
-  if (std::max(8 * warp.tables, 4 * warp.importance) > device.limits().maxStorageBufferRange)
+  const std::uint64_t tables = views * sizeof(glm::vec2) * std::max(warp.functions, warp.centres);
+  if (tables > device.limits().maxStorageBufferRange)
     return fmt::format(
         "the tables of its warp take {} bytes, a buffer of this device has at most {}: ask for fewer texels",
-        std::max(8 * warp.tables, 4 * warp.importance), device.limits().maxStorageBufferRange);
-  const std::uint64_t views = shadowViewsOf(method);
+        tables, device.limits().maxStorageBufferRange);
   const bool ids = keepsIds(method.stages->storage);
   if (ids && !device.hasInt64Atomics())
     return "storage=depth-id and storage=triangle keep depths and triangles by 64-bit atomics, which this "
@@ -115,7 +116,8 @@ void bindNoStore(BindingSet& bindings, const GpuImage& unread, VkSampler sampler
        {shared::kBindLinear, shared::kBindRaster, shared::kBindListed, shared::kBindParts, shared::kBindBands,
         shared::kBindWarps, shared::kBindImportance, shared::kBindWanted})
     bindings.set(binding, static_cast<const Buffer&>(unreadToo));
-  for (const std::uint32_t binding : {shared::kBindLinearTexels, shared::kBindWarpTexels})
+  for (const std::uint32_t binding :
+       {shared::kBindLinearTexels, shared::kBindWarpTexels, shared::kBindCentreTexels})
     bindings.set(binding, unreadToo);
 }
 

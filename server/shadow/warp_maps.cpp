@@ -1,6 +1,7 @@
 #include "shadow/warp_maps.h"
 
 #include "gpu/rendering.h"
+#include "shadow/plan_settings.h"
 #include "shared/bindings.h"
 #include "shared/samples.h"
 
@@ -8,11 +9,14 @@ namespace sundial {
 
 namespace {
 
-constexpr VkBufferUsageFlags kImportance =
-    VK_BUFFER_USAGE_STORAGE_BUFFER_BIT | VK_BUFFER_USAGE_TRANSFER_DST_BIT;
 constexpr VkBufferUsageFlags kTables = VK_BUFFER_USAGE_STORAGE_BUFFER_BIT |
                                        VK_BUFFER_USAGE_UNIFORM_TEXEL_BUFFER_BIT |
-                                       VK_BUFFER_USAGE_TRANSFER_SRC_BIT;
+                                       VK_BUFFER_USAGE_TRANSFER_SRC_BIT | VK_BUFFER_USAGE_TRANSFER_DST_BIT;
+
+TexelBuffer makeTables(const Device& device, std::uint64_t pairs) {
+  return {device, Buffer(device, pairs * sizeof(glm::vec2), kTables), VK_FORMAT_R32G32_UINT,
+          sizeof(glm::vec2)};
+}
 
 // A row of bounds for each group of 8, 16, ... functions, until one group holds all: warp.glsl.
 std::uint64_t boundsRows(std::uint64_t functions) {
@@ -29,8 +33,8 @@ std::uint64_t boundsRows(std::uint64_t functions) {
 WarpSizes warpSizesOf(Warp warp, const glm::uvec2& map) {
   const std::uint64_t w = map.x, h = map.y;
   if (warp == Warp::none) return {0, 0};
-  if (warp == Warp::rectilinear) return {w + h + w + 1 + h + 1, 2 * (w + h)};
-  return {(h + boundsRows(h)) * (w + 1) + w * (h + 1) + w * h, 2 * w * h};
+  if (warp == Warp::rectilinear) return {w + 1 + h + 1, w + h};
+  return {(h + boundsRows(h)) * (w + 1) + w * (h + 1), w * h};
 }
 
 WarpMaps::WarpMaps(const Device& device, FramePipelines& pipelines, const Method& method,
@@ -41,36 +45,46 @@ WarpMaps::WarpMaps(const Device& device, FramePipelines& pipelines, const Method
       samples_(
           (std::uint64_t{constants.imageSize.x} * constants.imageSize.y + shared::kSamplesPerInvocation - 1) /
           shared::kSamplesPerInvocation),
+      views_(shadowViewsOf(method)),
       pipelines_(pipelines.warp(method)),
-      tables_(device, Buffer(device, warpSizesOf(warp_, map_).tables * sizeof(glm::vec2), kTables),
-              VK_FORMAT_R32G32_UINT, sizeof(glm::vec2)),
-      importance_(device, warpSizesOf(warp_, map_).importance * sizeof(std::uint32_t), kImportance) {}
+      functions_(makeTables(device, views_ * warpSizesOf(warp_, map_).functions)),
+      centres_(makeTables(device, views_ * warpSizesOf(warp_, map_).centres)) {}
 
 void WarpMaps::bindTo(BindingSet& bindings) const {
-  bindings.set(shared::kBindWarps, tables());
-  bindings.set(shared::kBindWarpTexels, tables_);
-  bindings.set(shared::kBindImportance, importance_);
+  bindings.set(shared::kBindWarps, functions());
+  bindings.set(shared::kBindWarpTexels, functions_);
+  bindings.set(shared::kBindImportance, centres());
+  bindings.set(shared::kBindCentreTexels, centres_);
 }
 
+// What is gathered from importance, behind it, is written anew.
 void WarpMaps::clear(VkCommandBuffer command) const {
-  vkCmdFillBuffer(command, importance_, 0, VK_WHOLE_SIZE, 0);
+  vkCmdFillBuffer(command, centres(), 0, centres().size() / 2, 0);
   barrier(command);
 }
 
 void WarpMaps::dispatch(VkCommandBuffer command, VkPipeline pipeline, std::uint64_t invocations,
-                        std::uint32_t rows) const {
+                        std::uint32_t rows, std::uint32_t views) const {
   vkCmdBindPipeline(command, VK_PIPELINE_BIND_POINT_COMPUTE, pipeline);
-  vkCmdDispatch(command, static_cast<std::uint32_t>((invocations + 63) / 64), rows, 1);
+  vkCmdDispatch(command, static_cast<std::uint32_t>((invocations + 63) / 64), rows, views);
   barrier(command);
+}
+
+void WarpMaps::eachSample(VkCommandBuffer command, VkPipeline pipeline) const {
+  dispatch(command, pipeline, samples_, 1, 1);
+}
+
+void WarpMaps::eachView(VkCommandBuffer command, VkPipeline pipeline, std::uint64_t invocations) const {
+  dispatch(command, pipeline, invocations, 1, views_);
 }
 
 // Rectilinear.
 void WarpMaps::makeFunctions(VkCommandBuffer command) const {
   for (const int down : {0, 1}) {
-    dispatch(command, pipelines_.smooth[down], down ? map_.y : map_.x);
-    dispatch(command, pipelines_.functions[down], 1);
+    eachView(command, pipelines_.smooth[down], down ? map_.y : map_.x);
+    eachView(command, pipelines_.functions[down], 1);
   }
-  dispatch(command, pipelines_.centres, std::max(map_.x, map_.y));
+  eachView(command, pipelines_.centres, std::max(map_.x, map_.y));
 }
 
 void WarpMaps::recordNone(VkCommandBuffer command) const {
@@ -81,19 +95,22 @@ void WarpMaps::recordNone(VkCommandBuffer command) const {
 void WarpMaps::record(VkCommandBuffer command) const {
   clear(command);
   if (warp_ == Warp::rectilinear) {
-    dispatch(command, pipelines_.importance, forward_ ? map_.x : samples_, forward_ ? map_.y : 1);
+    if (forward_)
+      dispatch(command, pipelines_.importance, map_.x, map_.y, views_);
+    else
+      eachSample(command, pipelines_.importance);
     makeFunctions(command);
     return;
   }
   // Rows, then columns with the rows' warp applied.
   for (const int down : {0, 1}) {
     if (down) clear(command);
-    dispatch(command, pipelines_.count[down], samples_);
-    dispatch(command, pipelines_.pool[down], down ? map_.y : map_.x);
-    dispatch(command, pipelines_.functions[down], down ? map_.x : map_.y);
+    eachSample(command, pipelines_.count[down]);
+    eachView(command, pipelines_.pool[down], down ? map_.y : map_.x);
+    eachView(command, pipelines_.functions[down], down ? map_.x : map_.y);
   }
-  dispatch(command, pipelines_.bounds, map_.x + 1);
-  dispatch(command, pipelines_.centres, map_.x);
+  eachView(command, pipelines_.bounds, map_.x + 1);
+  eachView(command, pipelines_.centres, map_.x);
 }
 
 }  // namespace sundial

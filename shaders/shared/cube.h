@@ -21,6 +21,11 @@ SUNDIAL_FUNCTION vec4 faceFromLight(uint face, vec4 v) {
   return v;
 }
 
+// And back: faces that look the two ways of x, and of y, are each other's inverse.
+SUNDIAL_FUNCTION vec4 lightFromFace(uint face, vec4 v) {
+  return faceFromLight(face < 2 ? face : face ^ 1u, v);
+}
+
 // Turned about the face's axis, so that `axis`, a unit vector, becomes its x axis.
 SUNDIAL_FUNCTION vec4 turnedFace(vec4 v, vec2 axis) {
   return vec4(axis.x * v.x + axis.y * v.y, axis.x * v.y - axis.y * v.x, v.z, v.w);

@@ -91,6 +91,7 @@ struct PlanSettings {
   // function is spread evenly; the power of importance that the rest follows; and what counts how much for a
   // rectilinear one, in the order of kNearness to kDensity.
   uint warpWindow;
+  uint warpEntries;  // of a view's tables: ../warp.glsl
   float warpEvenShare;
   float warpPower;
   float warpWeights[kImportanceFunctions];

@@ -8,5 +8,5 @@ layout(triangles, equal_spacing) in;
 void main() {
   vec4 shadow = vec4(0);
   for (int i = 0; i < 3; ++i) shadow += gl_TessCoord[i] * gl_in[i].gl_Position;
-  gl_Position = warpedClip(shadow);
+  gl_Position = warpedClip(0, shadow);
 }

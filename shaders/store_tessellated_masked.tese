@@ -22,5 +22,5 @@ void main() {
     outUv += gl_TessCoord[i] * uv[i];
     outAlpha += gl_TessCoord[i] * alpha[i];
   }
-  gl_Position = warpedClip(shadow);
+  gl_Position = warpedClip(0, shadow);
 }

@@ -5,7 +5,7 @@
 #include "warp.glsl"
 
 // Of a view's clip space.
-vec4 warpedClip(vec4 shadow) {
+vec4 warpedClip(uint view, vec4 shadow) {
   if (shadow.w <= 0) return shadow;
   const vec2 size = vec2(warpSize()), p = 0.5 * (shadow.xy / shadow.w + 1) * size;
   // Beyond the map there is nothing to stretch.
@@ -16,7 +16,7 @@ vec4 warpedClip(vec4 shadow) {
 }
 
 vec4 warpedVertex(uint view, vec3 wsPosition) {
-  return warpedClip(plan.views[view].shadowFromWorld * vec4(wsPosition, 1));
+  return warpedClip(view, plan.views[view].shadowFromWorld * vec4(wsPosition, 1));
 }
 
 #endif

@@ -15,10 +15,10 @@ bool isOutside(vec4 a, vec4 b, vec4 c) {
   return any(below) || any(above);
 }
 
-// From one corner to another before the warp, clip space.
+// From one corner to another before the warp, clip space of the only map.
 float piecesOf(vec4 from, vec4 to) {
   if (from.w <= 0 || to.w <= 0) return kMostPieces;
-  const vec4 a = warpedClip(from), b = warpedClip(to);
+  const vec4 a = warpedClip(0, from), b = warpedClip(0, to);
   const float texels = length(0.5 * (b.xy / b.w - a.xy / a.w) * vec2(warpSize()));
   return clamp(ceil(texels / float(kTexelsPerPiece)), 1, kMostPieces);
 }

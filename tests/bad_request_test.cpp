@@ -98,7 +98,7 @@ TEST_F(BadRequest, ConesOutsideTheRangeAreNamed) {
 }
 
 TEST_F(BadRequest, MethodsThatLookOneWayAreRefusedAroundAPointLightAndCubesElsewhere) {
-  for (const char* text : {"csm", "sdsm-log", "iasm", "evsm", "rtw"})
+  for (const char* text : {"csm", "sdsm-log", "iasm", "evsm"})
     expectRefused(
         [&](RenderJob& job) {
           job.light = point({1, 4, 1});

@@ -23,6 +23,8 @@ TEST(Cube, AFaceIsARotationThatLooksAlongItsAxis) {
     EXPECT_EQ(glm::transpose(images) * images, glm::mat4(1));
     EXPECT_EQ(glm::determinant(images), 1);
     EXPECT_EQ(images[2], glm::vec4(0, 0, 1, 0)) << "the reciprocal of distance stays what it is";
+    for (int i = 0; i < 4; ++i)
+      EXPECT_EQ(shared::lightFromFace(face, images[i]), glm::mat4(1)[i]) << "and back";
     const glm::vec4 axis = glm::transpose(images) * glm::vec4(0, 0, 0, 1);
     EXPECT_EQ(shared::faceOf(axis), face);
   }
@@ -94,7 +96,8 @@ TEST_F(FrameCube, ALampInAnEmptyRoomCastsNoShadow) {
     for (const Rendering& r :
          render(jobOf(scene, view, point(kLamp), {160, 120},
                       {"sm,texels=64", "sm,texels=64,raster=compute", "dv,texels=64", "id,texels=64",
-                       "ferko,texels=256", "msf,texels=64", "spsm,texels=64", "rgsm,texels=64"},
+                       "ferko,texels=256", "msf,texels=64", "spsm,texels=64", "rgsm,texels=64",
+                       "rtw,texels=64", "rtw,texels=64,analysis=forward", "notw,texels=64"},
                       kAllImages))) {
       SCOPED_TRACE(r.result.method.label());
       std::size_t dark = 0, unanswered = 0;
@@ -117,7 +120,8 @@ TEST_F(FrameCube, FiltersAreWholeAtTheCubesEdges) {
   for (const Rendering& r :
        render(jobOf(floor, view, point(kLamp), {160, 120},
                     {"sm,texels=64,lookup=pcf,kernel=7", "dv,texels=64,lookup=pcf,kernel=2",
-                     "sm,texels=16,lookup=pcf,kernel=15"},
+                     "sm,texels=16,lookup=pcf,kernel=15", "rtw,texels=64,lookup=pcf,kernel=7",
+                     "notw,texels=64,lookup=pcf,kernel=7"},
                     kAllImages))) {
     std::size_t dark = 0;
     std::set<std::uint32_t> faces;
@@ -142,10 +146,11 @@ double texelsToSeam(const Rendering& r, std::size_t pixel, double texels) {
 TEST_F(FrameCube, NothingIsWrongerAlongTheCubesEdgesThanElsewhere) {
   const auto scene = cage();
   for (const View& view : viewsAbout())
-    for (const Rendering& r : render(jobOf(scene, view, point(kLamp), {320, 240},
-                                           {"sm,texels=512", "dv,texels=512,raster=compute", "msf,texels=512",
-                                            "id,texels=256", "spsm,texels=256,storage=depth-id"},
-                                           kAllImages, true))) {
+    for (const Rendering& r :
+         render(jobOf(scene, view, point(kLamp), {320, 240},
+                      {"sm,texels=512", "dv,texels=512,raster=compute", "msf,texels=512", "id,texels=256",
+                       "spsm,texels=256,storage=depth-id", "rtw,texels=512", "notw,texels=512"},
+                      kAllImages, true))) {
       SCOPED_TRACE(r.result.method.label());
       std::size_t near = 0, nearWrong = 0, far = 0, farWrong = 0;
       for (std::size_t i = 0; i < r.pixels(); ++i) {
@@ -191,7 +196,8 @@ TEST_F(FrameCube, FacesThatNoSampleFallsOnAreEmpty) {
   const auto empty = [](const Rendering& r) {
     return std::ranges::count_if(r.plan, [](const PlanView& v) { return v.gpu.empty != 0; });
   };
-  for (const char* text : {"dv,texels=64", "ferko,texels=64", "msf,texels=64"}) {
+  for (const char* text :
+       {"dv,texels=64", "ferko,texels=64", "msf,texels=64", "rtw,texels=64", "notw,texels=64"}) {
     const Rendering r = render(scene, view, point({0, 0, 0}), {64, 48}, text);
     EXPECT_EQ(empty(r), 5) << text;
     EXPECT_EQ(r.result.measures->pixelMatch, 1) << text;

@@ -4,13 +4,11 @@
 #include <cmath>
 
 #include "bench/tessellated_store.h"
-#include "bench/warped_samples.h"
-#include "support/rendering.h"
+#include "support/warped.h"
 
 namespace sundial::test {
 namespace {
 
-using bench::Warped;
 using glm::dvec2;
 
 // Ground of so many squares a side, and a curtain of two triangles above it.
@@ -33,31 +31,6 @@ std::shared_ptr<const Scene> curtain(int squares = 1) {
 }
 const View kBesideTheCurtain{.eye = {-9, 1.7, 12}, .target = {2, 0.5, -6}, .verticalFovDegrees = 60};
 
-class FrameWarp : public RendererTest {
- protected:
-  static Device& device() {
-    static const auto device = [] {
-      auto made = Device::create("", true, ShaderStages::all);
-      if (!made) throw std::runtime_error(made.error().message);
-      return std::move(*made);
-    }();
-    return *device;
-  }
-  static bench::FrameScene sight(const std::shared_ptr<const Scene>& scene, const View& view,
-                                 const Light& light, const glm::uvec2& image) {
-    static FramePipelines pipelines(device());
-    return {device(), pipelines, {scene, view, light}, image};
-  }
-  static Warped warp(const std::shared_ptr<const Scene>& scene, const View& view, const Light& light,
-                     const glm::uvec2& image, std::string_view text) {
-    return bench::warpedOf(sight(scene, view, light, image), method(text));
-  }
-  void TearDown() override {
-    EXPECT_EQ(device().validationMessages(), 0u);
-    RendererTest::TearDown();
-  }
-};
-
 struct Place {
   std::string scene, view, light;
 };
@@ -72,21 +45,7 @@ TEST_F(FrameWarp, EveryFunctionRisesFromRimToRimAndTheInverseIsOne) {
       SCOPED_TRACE(p.scene + " " + text);
       const auto scene = builtin(p.scene);
       const Warped w = warp(scene, viewOf(*scene, p.view), lightOf(*scene, p.light), {300, 200}, text);
-      const double least = 0.99 * method(text).settings.even;
-      const auto expectRising = [&](const float* table, unsigned last) {
-        EXPECT_EQ(table[0], 0);
-        EXPECT_EQ(table[last], float(last));
-        for (unsigned k = 0; k < last; ++k) ASSERT_GE(table[k + 1] - table[k], least) << k;
-      };
-      for (std::size_t f = 0; f < w.rows; ++f) expectRising(w.across(f), w.size.x);
-      for (std::size_t f = 0; f < w.columns; ++f) expectRising(w.down(f), w.size.y);
-      double worst = 0;
-      for (unsigned y = 0; y < w.size.y; ++y)
-        for (unsigned x = 0; x < w.size.x; ++x) {
-          const dvec2 error = w(w.centre(x, y)) - dvec2(x + 0.5, y + 0.5);
-          worst = std::max({worst, std::abs(error.x), std::abs(error.y)});
-        }
-      EXPECT_LT(worst, 5e-3) << "texels";
+      expectWarp(w, 0.99 * method(text).settings.even);
     }
 }
 

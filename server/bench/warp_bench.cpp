@@ -120,7 +120,7 @@ void printSpread(Renderer& renderer) {
     const FrameScene scene(*device, pipelines, sight, kPicture);
     const auto results = resultsOf(renderer, jobAt(sight, kPicture, withTexels(kSpreadMethods), 0));
     for (std::size_t m = 0; m < results.size(); ++m) {
-      const Warped warped = warpedOf(scene, results[m].method);
+      const Warped warped = warpedOf(scene, results[m].method).front();
       cells[m] +=
           fmt::format(" {:.2f}, {:.3f} |", variation(countsAfter(warped)) / variation(countsBefore(warped)),
                       wrongPercent(results[m]));

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <span>
 
 namespace sundial::bench {
 
@@ -25,20 +26,19 @@ double between(Table table, std::size_t count, double beside, double position, u
                    valueAt(table(std::min(first + 1, count - 1)), position, last), at - double(first));
 }
 
-// In the plan's only map, before any warp.
-std::vector<dvec2> samplesIn(const FrameScene& scene, const shared::Plan& plan) {
+// Those that face the light, before any warp: in the plan's only map, or each in its face's.
+void takeSamples(std::vector<Warped>& warps, const FrameScene& scene, const shared::Plan& plan) {
   const std::vector<shared::ViewSample> samples = scene.samples();
   const std::vector<std::uint8_t> faces = scene.facing();
-  const shared::ShadowView& view = plan.views[0];
-  const dvec2 low(view.lsMin), high(view.lsMax);
-  std::vector<dvec2> out;
   for (std::size_t i = 0; i < samples.size(); ++i) {
     if (!faces[i]) continue;
-    const glm::dvec4 ls = glm::dmat4(plan.lightFromWorld) * glm::dvec4(dvec3(samples[i].wsPosition), 1);
+    const glm::vec4 light(glm::dmat4(plan.lightFromWorld) * glm::dvec4(dvec3(samples[i].wsPosition), 1));
+    const std::uint32_t view = warps.size() == shared::kCubeFaces ? shared::faceOf(light) : 0;
+    const glm::dvec4 ls(shared::faceFromLight(view, light));
+    const dvec2 low(plan.views[view].lsMin), high(plan.views[view].lsMax);
     const dvec2 share = (dvec2(ls) / ls.w - low) / (high - low);
-    out.push_back(dvec2(share.x, 1 - share.y) * dvec2(view.rectSize));  // rows run down
+    warps[view].samples.push_back(dvec2(share.x, 1 - share.y) * dvec2(warps[view].size));  // rows run down
   }
-  return out;
 }
 
 template <class Position>
@@ -54,9 +54,8 @@ std::vector<double> counts(const Warped& warped, const Position& position) {
 }  // namespace
 
 dvec2 Warped::centre(unsigned x, unsigned y) const {
-  if (rows == 1) return {tables[2 * x], tables[2 * (size.x + y)]};
-  const float* at = &tables[2 * (std::size_t{y} * size.x + x)];
-  return {at[0], at[1]};
+  if (rows == 1) return {centres[x].x, centres[size.x + y].x};
+  return dvec2(centres[std::size_t{y} * size.x + x]);
 }
 
 dvec2 Warped::operator()(const dvec2& from) const {
@@ -64,20 +63,31 @@ dvec2 Warped::operator()(const dvec2& from) const {
   return {x, between([&](std::size_t f) { return down(f); }, columns, x, from.y, size.y)};
 }
 
-Warped warpedOf(const FrameScene& scene, const Method& method) {
+std::vector<Warped> warpedOf(const FrameScene& scene, const Method& method) {
   const auto frame = scene.frame(method);
   const shared::Plan plan = frame->downloadPlan();
-  const glm::uvec2 size = plan.views[0].rectSize;
+  const WarpTables tables = frame->downloadWarp();
   const bool each = method.stages->warp == Warp::nonOrthogonal;
-  Warped out{.size = size,
-             .rows = each ? size.y : 1,
-             .columns = each ? size.x : 1,
-             .tables = frame->downloadWarp(),
-             .values = {},
-             .samples = samplesIn(scene, plan)};
-  const std::size_t centres = each ? std::size_t{size.x} * size.y : std::size_t{size.x} + size.y;
-  for (std::size_t i = 2 * centres; i < out.tables.size(); i += 2) out.values.push_back(out.tables[i]);
-  return out;
+  // A view's behind another's.
+  const auto ofView = [&](const std::vector<glm::vec2>& all, std::uint32_t view) {
+    return std::span(all).subspan(all.size() / plan.viewCount * view, all.size() / plan.viewCount);
+  };
+  std::vector<Warped> warps;
+  for (std::uint32_t view = 0; view < plan.viewCount; ++view) {
+    const glm::uvec2 size = plan.views[view].rectSize;
+    const auto centres = ofView(tables.centres, view);
+    Warped warped{.size = size,
+                  .empty = plan.views[view].empty != 0,
+                  .rows = each ? size.y : 1,
+                  .columns = each ? size.x : 1,
+                  .values = {},
+                  .centres = {centres.begin(), centres.end()},
+                  .samples = {}};
+    for (const glm::vec2& knot : ofView(tables.functions, view)) warped.values.push_back(knot.x);
+    warps.push_back(std::move(warped));
+  }
+  takeSamples(warps, scene, plan);
+  return warps;
 }
 
 std::vector<double> countsBefore(const Warped& warped) {

@@ -1,4 +1,4 @@
-// How a warp spreads view samples over its map: its tables, read back from the device, applied on the host.
+// How a warp spreads view samples over its maps: its tables, read back from the device, applied on the host.
 #pragma once
 
 #include <cstddef>
@@ -8,12 +8,14 @@
 
 namespace sundial::bench {
 
-// Positions are in texels of the map, from (0, 0) to its size; functions are those of shaders/warp.glsl.
+// Of one map. Positions are in texels of the map, from (0, 0) to its size; functions are those of
+// shaders/warp.glsl.
 struct Warped {
   glm::uvec2 size{0};
+  bool empty = false;                 // no sample lies in it, and there are no tables
   std::size_t rows = 1, columns = 1;  // functions across and down
-  std::vector<float> tables;          // pairs
-  std::vector<float> values;          // of functions: the first of each pair behind the centres
+  std::vector<float> values;          // of functions, those across, then those down
+  std::vector<glm::vec2> centres;     // where texels' came from; with one function across, first x, then y
   std::vector<glm::dvec2> samples;    // that face the light, before the warp
 
   const float* across(std::size_t row) const { return &values[row * (size.x + 1)]; }
@@ -22,8 +24,8 @@ struct Warped {
   glm::dvec2 operator()(const glm::dvec2& from) const;  // where a position goes
 };
 
-// Of a frame with one map and a warp. Throws std::runtime_error.
-Warped warpedOf(const FrameScene&, const Method&);
+// Of each map of a frame with a warp. Throws std::runtime_error.
+std::vector<Warped> warpedOf(const FrameScene&, const Method&);
 
 // Samples in each texel, row by row, before the warp and after it.
 std::vector<double> countsBefore(const Warped&);

@@ -18,7 +18,7 @@ Result<Method> methodInLight(const Method& method, LightKind light) {
   if (partition != Partition::single)
     return invalid(
         fmt::format("method {}: partition={} cuts a map that looks one way, and a point light "
-                    "shines all around: use partition=cube, as sm, dv, msf, ferko, id and spsm do",
+                    "shines all around: use partition=cube, as sm, dv, msf, ferko, rtw, notw, id and spsm do",
                     method.label(), stageChoice(*method.stages, "partition")));
   std::map<std::string, std::string> wanted = method.wanted;
   wanted["partition"] = "cube";

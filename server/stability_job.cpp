@@ -10,6 +10,7 @@
 #include "shadow/frame_runner.h"
 #include "shadow/method_in_light.h"
 #include "stability/flips.h"
+#include "stability/pixels.h"
 #include "stability/point_target.h"
 #include "stability/points.h"
 
@@ -68,22 +69,13 @@ class Stage {
       std::vector<Pass> passes = frame->passes();
       std::erase_if(passes, [](const Pass& pass) { return pass.name != "gbuffer"; });
       if (auto run = runFrame(context_.device, passes, interrupt); !run) return std::unexpected(run.error());
-      chooser.add(f, viewSamples(), view.constants, view.origin);
+      chooser.add(f, samplesIn(context_.device, context_.target), view.constants, view.origin);
     }
     points_ = chooser.take(*context_.scene.scene);
     return {};
   }
 
  private:
-  std::vector<shared::ViewSample> viewSamples() const {
-    const auto positions = downloaded(context_.device, context_.target.positions, sizeof(glm::uvec4));
-    const auto normals = downloaded(context_.device, context_.target.normals, sizeof(glm::uvec4));
-    std::vector<shared::ViewSample> samples(positions.size() / sizeof(glm::uvec4));
-    gatherSamples(reinterpret_cast<const glm::uvec4*>(positions.data()),
-                  reinterpret_cast<const glm::uvec4*>(normals.data()), samples);
-    return samples;
-  }
-
   const JobContext& context_;
   const StabilityJob& job_;
   std::vector<SurfacePoint> points_;
@@ -130,8 +122,14 @@ class Highlights {
 // One method along the path.
 class MethodRun {
  public:
-  MethodRun(const JobContext& context, const Stage& stage, PointTarget& target, const Method& method)
-      : context_(context), stage_(stage), target_(target), method_(method), frame_(stage.enter(0), method) {}
+  MethodRun(const JobContext& context, const Stage& stage, PointTarget& target, const Method& method,
+            bool pixels)
+      : context_(context),
+        stage_(stage),
+        target_(target),
+        method_(method),
+        pixels_(pixels),
+        frame_(stage.enter(0), method) {}
 
   enum class Extent { maps, picture };
 
@@ -139,6 +137,7 @@ class MethodRun {
     std::vector<PointState> states;  // of all points
     std::uint64_t dark = 0;          // as in StabilityFrame
     double bleed = 0, drawn = 0;
+    PixelCount pixels;
   };
 
   // Frames in order, because a method may remember the one before.
@@ -150,7 +149,7 @@ class MethodRun {
     // Without a map the points are asked directly.
     if (extent == Extent::maps)
       std::erase_if(passes, [&](const Pass& pass) {
-        return !hasMap(method_) || pass.name == "resolve" || pass.name == "shade";
+        return pass.name == "shade" || (!pixels_ && (!hasMap(method_) || pass.name == "resolve"));
       });
     Seen seen;
     if (passes.empty()) {
@@ -160,6 +159,8 @@ class MethodRun {
     } else {
       return std::unexpected(run.error());
     }
+    if (pixels_)
+      seen.pixels = countPixels(context_.device, context_.target, *view.reference, view.light, view.origin);
     const std::vector<float> visibility = ask(points.samples, view);
     for (std::size_t i = 0; i < visibility.size(); ++i) {
       PointState& state = points.states[i];
@@ -223,13 +224,14 @@ class MethodRun {
   const Stage& stage_;
   PointTarget& target_;
   const Method& method_;
+  bool pixels_;
   Frame frame_;
 };
 
 Result<void> runMethod(const JobContext& context, const Stage& stage, PointTarget& target,
                        const StabilityJob& job, std::size_t index, const Interrupt& interrupt,
                        StabilitySink& sink) {
-  MethodRun run(context, stage, target, job.methods[index]);
+  MethodRun run(context, stage, target, job.methods[index], job.pixels);
   FlipCounter counter;
   Highlights highlights(job.pictures, stage.frames());
   std::vector<StabilityFrame> frames;
@@ -241,6 +243,8 @@ Result<void> runMethod(const JobContext& context, const Stage& stage, PointTarge
     frame.dark = seen->dark;
     frame.bleed = seen->bleed;
     frame.drawn = seen->drawn;
+    frame.pixels = seen->pixels.seen;
+    frame.wrongPixels = seen->pixels.wrong;
     const shared::Plan plan = run.plan();
     frame.texelJump = texelJump(before, plan);
     before = plan;

@@ -132,7 +132,7 @@ TEST_P(NamedCase, IsAsItMustBe) {
   const json& one = report["cases"][0];
   EXPECT_EQ(one["verdict"]["good"], true) << one["verdict"]["why"];
   for (const json& result : one["results"])
-    for (const char* measure : {"flip_rate", "pop", "texel_jump", "wrong_rate"})
+    for (const char* measure : {"flip_rate", "pop", "texel_jump", "wrong_rate", "wrong_pixels"})
       EXPECT_TRUE(result[measure].is_number()) << measure;
 }
 

@@ -75,7 +75,14 @@ TEST(Flips, WrongAnswersAreCountedWherePointsAreSeen) {
 TEST(Flips, RatesAreSharesOfPairs) {
   const StabilityResult result =
       summed({{.frame = 0, .pairs = 0, .flips = 0, .seen = 10, .wrong = 1, .dark = 4, .bleed = 1, .drawn = 3},
-              {.frame = 1, .pairs = 8, .flips = 2, .seen = 10, .wrong = 2, .texelJump = 0.5},
+              {.frame = 1,
+               .pairs = 8,
+               .flips = 2,
+               .seen = 10,
+               .wrong = 2,
+               .texelJump = 0.5,
+               .pixels = 90,
+               .wrongPixels = 9},
               {.frame = 2,
                .pairs = 2,
                .flips = 1,
@@ -83,10 +90,13 @@ TEST(Flips, RatesAreSharesOfPairs) {
                .wrong = 2,
                .dark = 6,
                .bleed = 0,
-               .texelJump = 0.25}});
+               .texelJump = 0.25,
+               .pixels = 30,
+               .wrongPixels = 9}});
   EXPECT_DOUBLE_EQ(result.flipRate, 0.3);
   EXPECT_DOUBLE_EQ(result.pop, 0.5);
   EXPECT_DOUBLE_EQ(result.wrongRate, 0.2);
+  EXPECT_DOUBLE_EQ(result.wrongPixels, 0.15);
   EXPECT_DOUBLE_EQ(result.texelJump, 0.5);
   EXPECT_DOUBLE_EQ(result.bleed, 0.1) << "of all dark points";
   EXPECT_DOUBLE_EQ(result.drawn, 1) << "a mean of the frames";
@@ -263,6 +273,37 @@ TEST_F(StabilityTest, AStillCameraFlipsNothing) {
     EXPECT_EQ(result.texelJump, 0) << result.method.label();
     EXPECT_GT(result.frames[1].pairs, 1000u);
   }
+}
+
+// What `compare` says of the frame.
+TEST_F(StabilityTest, PixelsAreHeldAgainstTheTruthWhereThatIsAskedFor) {
+  struct Matches final : JobSink {
+    void onPlan(std::size_t, const std::vector<PlanView>&) override {}
+    void onImage(std::size_t, Image) override {}
+    void onResult(std::size_t, MethodResult result) override {
+      matches.push_back(result.measures->pixelMatch);
+    }
+    std::vector<double> matches;
+  } rendered;
+  StabilityJob still = job(1);
+  const RenderJob picture{.scene = grid,
+                          .view = still.views[0],
+                          .light = still.lights[0],
+                          .size = still.size,
+                          .methods = still.methods,
+                          .images = {},
+                          .measures = true};
+  ASSERT_TRUE(renderer->run(picture, {}, rendered));
+  still.pixels = true;
+  const Collected got = run(still);
+  ASSERT_EQ(got.results.size(), rendered.matches.size());
+  for (std::size_t i = 0; i < got.results.size(); ++i)
+    EXPECT_NEAR(got.results[i].wrongPixels, 1 - rendered.matches[i], 1e-12) << got.results[i].method.label();
+  EXPECT_GT(got.results[0].wrongPixels, 0);
+  EXPECT_EQ(got.results[2].wrongPixels, 0);
+  EXPECT_GT(got.results[2].frames[0].pixels, 5000u);
+  still.pixels = false;
+  EXPECT_EQ(run(still).results[0].wrongPixels, 0);
 }
 
 TEST_F(StabilityTest, AMovingLightFlipsMaps) {

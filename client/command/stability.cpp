@@ -27,6 +27,7 @@ struct Options {
   std::string scene, path, lightPath, named, output;
   std::vector<std::string> methods;
   unsigned frames = 0, points = 4096;
+  bool pixels = false;
   std::uint64_t seed = 1;
   ViewOptions view;
 };
@@ -94,6 +95,7 @@ void applyCommon(const Options& options, v1::StabilityRequest& request) {
   if (options.frames != 0) request.set_frames(options.frames);
   request.set_points(options.points);
   request.set_seed(options.seed);
+  if (options.pixels) request.set_pixels(true);
   request.set_pictures(options.output.empty() ? 0 : kPictures);
 }
 
@@ -141,14 +143,15 @@ void printTable(const page::StabilityRun& run) {
   fmt::print("{}: {}, {} frames, {} x {}\n", run.report.case_(), run.report.scene(),
              run.report.results(0).flips_per_frame_size(), run.report.size(0), run.report.size(1));
   if (!run.sentence.empty()) fmt::print("{}\n", run.sentence);
-  fmt::print("\n{:<{}}  {:>10} {:>10} {:>10} {:>10} {:>8} {:>9}\n", "method", width, "flip rate", "pop",
-             "texel jump", "wrong", "points", "pairs");
+  fmt::print("\n{:<{}}  {:>10} {:>10} {:>10} {:>10} {:>8} {:>9}{}\n", "method", width, "flip rate", "pop",
+             "texel jump", "wrong", "points", "pairs", run.pixels ? "  wrong pixels" : "");
   for (std::size_t i = 0; i < run.labels.size(); ++i) {
     const v1::StabilityResult& result = run.report.results(static_cast<int>(i));
-    fmt::print("{:<{}}  {:>10} {:>10} {:>10} {:>10} {:>8.0f} {:>9.0f}\n", run.labels[i], width,
+    fmt::print("{:<{}}  {:>10} {:>10} {:>10} {:>10} {:>8.0f} {:>9.0f}{}\n", run.labels[i], width,
                page::percent(result.flip_rate()), page::percent(result.pop()),
                page::significant(result.texel_jump()), page::percent(result.wrong_rate()), result.points(),
-               result.pairs());
+               result.pairs(),
+               run.pixels ? fmt::format(" {:>13}", page::percent(result.wrong_pixels())) : "");
   }
   if (run.report.has_verdict())
     fmt::print("{}: {}\n", run.report.verdict().good() ? "good" : "NOT GOOD", run.report.verdict().why());
@@ -194,7 +197,8 @@ void stability(Session& session, const Options& options) {
     std::vector<std::string> labels;
     for (const v1::MethodChoice& method : task.request.methods())
       labels.push_back(client::methodLabel(method));
-    runs.push_back({added, std::move(results), labels, task.named ? task.named->sentence() : ""});
+    runs.push_back(
+        {added, std::move(results), labels, task.named ? task.named->sentence() : "", task.request.pixels()});
     if (!session.options().json) printTable(runs.back());
     if (options.output.empty()) runs.back().methods.clear();
     if (added.has_verdict() && !added.verdict().good())
@@ -222,8 +226,9 @@ void addStability(CLI::App& app, Action& action) {
       "from "
       "one\nto the next while the ray-traced truth doesn't; pop: the largest share in one frame; texel jump: "
       "the "
-      "largest\n|log2| of a shadow map's texel size from frame to frame; wrong: answers that aren't the "
-      "truth.\n\n"
+      "largest\n|log2| of a shadow map's texel size from frame to frame; wrong: points' answers that aren't "
+      "the "
+      "truth;\nwrong pixels, with --pixels: the share of all frames' pixels that aren't.\n\n"
       "FILE (it has a dot or a slash) holds key frames in protobuf text format:\n"
       "  keys { eye { x: 1 y: 2 z: 3 } target {} vertical_fov_degrees: 60 }  keys { ... }  frames: 60\n"
       "and of a light path, e.g.:\n"
@@ -252,6 +257,7 @@ void addStability(CLI::App& app, Action& action) {
       ->type_name("N")
       ->check(CLI::Range(1, 65536));
   command->add_option("--seed", options->seed, "chooses the points [1]")->type_name("N");
+  command->add_flag("--pixels", options->pixels, "hold every pixel of every frame against a ray, too");
   command
       ->add_option("-o,--output", options->output, "folder for strips of frames, report.json and index.html")
       ->type_name("DIR");

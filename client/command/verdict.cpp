@@ -15,7 +15,7 @@ constexpr double kOfTwin = 1.25;  // times the twin's measure is as good as the 
 
 bool isFinite(const v1::StabilityResult& result) {
   for (const double value : {result.flip_rate(), result.pop(), result.texel_jump(), result.wrong_rate(),
-                             result.bleed(), result.drawn()})
+                             result.bleed(), result.drawn(), result.wrong_pixels()})
     if (!std::isfinite(value)) return false;
   for (const double jump : result.plan_jumps())
     if (!std::isfinite(jump)) return false;
@@ -31,6 +31,7 @@ double measureOf(const v1::StabilityResult& result, const std::string& measure) 
   if (measure == "wrong_rate") return result.wrong_rate();
   if (measure == "bleed") return result.bleed();
   if (measure == "drawn") return result.drawn();
+  if (measure == "wrong_pixels") return result.wrong_pixels();
   throw failure(fmt::format("the server's case has a measure '{}', newer than this command", measure));
 }
 

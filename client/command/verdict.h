@@ -5,7 +5,8 @@
 
 namespace sundial::command {
 
-// flip_rate, pop, texel_jump, wrong_rate, bleed or drawn. Throws a Failure for another: of a newer server.
+// flip_rate, pop, texel_jump, wrong_rate, bleed, drawn or wrong_pixels. Throws a Failure for another: of a
+// newer server.
 double measureOf(const v1::StabilityResult&, const std::string& measure);
 
 // `results`, and `twin` where the case has one, are in the order of its methods. See StabilityCase in the

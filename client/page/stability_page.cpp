@@ -84,13 +84,15 @@ std::string table(const StabilityRun& run) {
   for (std::size_t i = 0; i < run.labels.size(); ++i) {
     const v1::StabilityResult& result = run.report.results(static_cast<int>(i));
     rows += fmt::format(
-        "<tr><th>{} {}</th><td>{}</td><td>{}</td><td>{}</td><td>{}</td><td>{:.0f}</td><td>{:.0f}</td></tr>",
+        "<tr><th>{} {}</th><td>{}</td><td>{}</td><td>{}</td><td>{}</td><td>{:.0f}</td><td>{:.0f}</td>{}</tr>",
         inlineMark(i), escaped(run.labels[i]), percent(result.flip_rate()), percent(result.pop()),
-        significant(result.texel_jump()), percent(result.wrong_rate()), result.points(), result.pairs());
+        significant(result.texel_jump()), percent(result.wrong_rate()), result.points(), result.pairs(),
+        run.pixels ? fmt::format("<td>{}</td>", percent(result.wrong_pixels())) : "");
   }
   return "<div class=\"wide\"><table><thead><tr><th>method</th><th>flip rate</th><th>pop</th>"
-         "<th>texel jump, log2</th><th>wrong</th><th>points</th><th>pairs</th></tr></thead><tbody>" +
-         rows + "</tbody></table></div>";
+         "<th>texel jump, log2</th><th>wrong</th><th>points</th><th>pairs</th>" +
+         std::string(run.pixels ? "<th>wrong pixels</th>" : "") + "</tr></thead><tbody>" + rows +
+         "</tbody></table></div>";
 }
 
 std::string section(const StabilityRun& run, const std::string& strips) {

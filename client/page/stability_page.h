@@ -15,6 +15,7 @@ struct StabilityRun {
   std::vector<client::MethodStability> methods;
   std::vector<std::string> labels;  // of the methods, as the user wrote them
   std::string sentence;             // of a named case, or ""
+  bool pixels = false;              // whether wrong_pixels was asked for
 };
 
 // CASE-METHOD.png for each, report.json (`reportJson`) and index.html, which opens without a network.

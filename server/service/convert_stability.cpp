@@ -126,6 +126,7 @@ Result<StabilitySpec> fromProto(const v1::StabilityRequest& in, const RequestLim
   spec.frames = in.frames();
   if (in.points() != 0) spec.job.points = in.points();
   spec.job.pictures = in.pictures();
+  spec.job.pixels = in.pixels();
   spec.job.seed = in.seed();
   return spec;
 }
@@ -180,6 +181,7 @@ void toProto(const StabilityResult& in, v1::StabilityResult* out) {
   out->set_wrong_rate(in.wrongRate);
   out->set_bleed(in.bleed);
   out->set_drawn(in.drawn);
+  out->set_wrong_pixels(in.wrongPixels);
   out->set_points(static_cast<double>(in.points));
   double pairs = 0;
   for (const StabilityFrame& frame : in.frames) {
@@ -209,6 +211,7 @@ void toProto(const StabilityCase& in, v1::StabilityCase* out) {
   request.set_width(kCaseSide);
   request.set_height(kCaseSide);
   request.set_seed(1);
+  request.set_pixels(in.measure == "wrong_pixels");
   // "sm,texels=512 dv": methods between spaces, what differs from their defaults between commas.
   std::istringstream methods{std::string(in.methods)};
   for (std::string method; methods >> method;) {

@@ -98,6 +98,16 @@ std::span<const StabilityCase> stabilityCases() {
                     .methods = "notw,texels=512,raster=pipeline notw,texels=512",
                     .measure = "wrong_rate",
                     .failsAbove = 0.05},
+      StabilityCase{
+          .name = "rtw-shared-rows",
+          .sentence = "A fence near the camera and the village behind it share rows and columns of the map: "
+                      "functions of all rows and of all columns spend texels on both where either matters.",
+          .scene = "builtin:village",
+          .view = "fence",
+          .light = "sun",
+          .methods = "rtw,texels=512,analysis=forward notw,texels=512",
+          .measure = "wrong_pixels",
+          .failsAbove = 0.01},
       StabilityCase{.name = "pssm-uniform",
                     .sentence =
                         "A mixture of cuts that suits a view from afar, used close up: the nearest partition "

@@ -13,7 +13,7 @@ struct StabilityCase {
   std::string_view path, view;      // one of them, of the scene: a path, or a view that stands still
   std::string_view light;           // of the scene
   std::string_view methods;         // "sm,texels=512 dv": if the first is to fail, it and one that doesn't
-  std::string_view measure;         // flip_rate, pop, texel_jump, wrong_rate, bleed or drawn
+  std::string_view measure;         // flip_rate, pop, texel_jump, wrong_rate, bleed, drawn or wrong_pixels
   double failsAbove = 0;  // > 0: the measure of methods[0] is at least this, and 3 times that of methods[1]
   double atMost = 0;      // else: the measure of every method is at most this beyond 1.25 times the twin's
   std::string_view twinScene = {};  // "": none, its measure counts as 0

@@ -36,13 +36,15 @@ StabilityFrame FlipCounter::add(std::span<const PointState> states) {
 
 StabilityResult summed(std::vector<StabilityFrame> frames) {
   StabilityResult result;
-  std::uint64_t pairs = 0, flips = 0, seen = 0, wrong = 0, dark = 0;
+  std::uint64_t pairs = 0, flips = 0, seen = 0, wrong = 0, dark = 0, pixels = 0, wrongPixels = 0;
   for (const StabilityFrame& frame : frames) {
     pairs += frame.pairs;
     flips += frame.flips;
     seen += frame.seen;
     wrong += frame.wrong;
     dark += frame.dark;
+    pixels += frame.pixels;
+    wrongPixels += frame.wrongPixels;
     result.bleed += frame.bleed;
     result.drawn += frame.drawn;
     result.pop = std::max(result.pop, share(frame.flips, frame.pairs));
@@ -50,6 +52,7 @@ StabilityResult summed(std::vector<StabilityFrame> frames) {
   }
   result.flipRate = share(flips, pairs);
   result.wrongRate = share(wrong, seen);
+  result.wrongPixels = share(wrongPixels, pixels);
   result.bleed = dark == 0 ? 0 : result.bleed / static_cast<double>(dark);
   if (!frames.empty()) result.drawn /= static_cast<double>(frames.size());
   result.frames = std::move(frames);

@@ -27,6 +27,7 @@ struct StabilityJob {
   unsigned points = 4096;  // [1, kMaxStabilityPoints]
   std::uint64_t seed = 1;  // of the points' choice
   unsigned pictures = 0;   // of every method, [0, kMaxStabilityPictures]; at most one a frame
+  bool pixels = false;     // whether every frame's pixels are held against the truth, too
 };
 
 // One frame held against the frame before; of the first, only `frame` and `wrong` mean something.
@@ -40,6 +41,9 @@ struct StabilityFrame {
   double bleed = 0;         // the light that the method gives to them, summed
   double drawn = 0;         // triangles in all maps over the scene's
   double texelJump = 0;     // largest |log2| of a shadow view's texel size now to its size before
+  // With StabilityJob::pixels:
+  std::uint64_t pixels = 0;       // that show geometry
+  std::uint64_t wrongPixels = 0;  // of them: the method's answer isn't the truth
 };
 
 // A frame as it is seen, and the points that flip in it.
@@ -63,6 +67,7 @@ struct StabilityResult {
   double texelJump = 0;      // the largest of the frames'
   double bleed = 0;          // mean light where in truth is none
   double drawn = 0;          // mean of the frames'
+  double wrongPixels = 0;    // all frames' wrongPixels / pixels
   std::vector<StabilityFrame> frames;
 };
 

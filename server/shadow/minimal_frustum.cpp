@@ -38,16 +38,17 @@ Planes cameraSides(const shared::FrameConstants& c) {
   return {rows[3] + rows[0], rows[3] - rows[0], rows[3] + rows[1], rows[3] - rows[1]};
 }
 
-// And the pyramid of a spot light, from its near plane on.
+// And what of light space holds the scene, or the spot light's pyramid from its near plane on: tighter than the boxes of
+// the clusters at its sides.
 Planes planesOf(const shared::FrameConstants& c) {
   Planes planes = cameraSides(c);
-  if (c.lightKind == shared::kLightDirectional) return planes;
   const dmat4 light = glm::transpose(dmat4(c.lightFromWorld));
   for (int axis = 0; axis < 2; ++axis) {
     planes.push_back(light[axis] - double{c.lsBoundsMin[axis]} * light[3]);
     planes.push_back(double{c.lsBoundsMax[axis]} * light[3] - light[axis]);
   }
-  planes.push_back(light[3] - dvec4(0, 0, 0, 1 / c.lsBoundsMax.z));
+  if (c.lightKind != shared::kLightDirectional)
+    planes.push_back(light[3] - dvec4(0, 0, 0, 1 / c.lsBoundsMax.z));
   return planes;
 }
 

@@ -3,6 +3,7 @@
 #include "shadow/minimal_frustum.h"
 
 #include <cmath>
+#include <glm/gtc/matrix_transform.hpp>
 #include <numbers>
 
 #include "scene/builtin/random.h"
@@ -148,10 +149,9 @@ class FrameMinimal : public RendererTest {
 TEST_F(FrameMinimal, ALeaningPlateGetsNoMoreThanItself) {
   SceneBuilder builder("plate");
   builder.addMaterial({.gpu = {glm::vec4(1), 0, shared::kNoTexture, 0, 0}, .doubleSided = true});
-  builder.addInstance("plate",
-                      builder.addMesh("plate", {{.positions = {{0, 0, 0}, {8, 0, 0}, {8, 8, 8}, {0, 8, 8}},
-                                                 .indices = {0, 1, 2, 0, 2, 3}}}),
-                      glm::dmat4(1));
+  const auto plate = builder.addMesh("plate", {{.positions = {{0, 0, 0}, {8, 0, 0}, {8, 0, 11}, {0, 0, 11}},
+                                                .indices = {0, 1, 2, 0, 2, 3}}});
+  builder.addInstance("plate", plate, glm::rotate(glm::dmat4(1), -0.25 * std::numbers::pi, dvec3(1, 0, 0)));
   const auto scene = sharedScene(std::move(builder).finish());
   const View whole{.eye = {4, 12, -10}, .target = {4, 4, 4}, .verticalFovDegrees = 70};
   const Light light{.direction = glm::normalize(dvec3(0.1, -1, 1))};

@@ -32,6 +32,7 @@ layout(set = 0, binding = kBindTables) uniform usamplerBuffer tableTexels;
 layout(set = 0, binding = kBindWarpTexels) uniform usamplerBuffer warpTexels;
 layout(set = 0, binding = kBindCentreTexels) uniform usamplerBuffer centreTexels;
 layout(set = 0, binding = kBindHeld) uniform usamplerBuffer heldTriangles;
+layout(set = 0, binding = kBindAdjacent) uniform usamplerBuffer adjacentTexels;
 layout(set = 0, binding = kBindTextures) uniform sampler2DArray textures;
 layout(set = 0, binding = kBindDepth) uniform sampler2D gbufferDepth;
 layout(set = 0, binding = kBindIds) uniform usampler2D gbufferIds;

@@ -9,7 +9,6 @@
 #include "texel_triangle.glsl"
 
 layout(constant_id = 4) const uint kAnswer = kAnswerVisibility;
-layout(constant_id = 5) const bool kRecover = true;
 layout(constant_id = 6) const uint kPositions = 1;  // in a pixel, of those that are uncertain
 
 // How far along the tangent the edge is followed to each side, texels: what is farther away may belong to another edge.
@@ -25,14 +24,6 @@ struct Around {
 };
 
 float answer(uint kind, float lit) { return kAnswer == kAnswerVisibility ? lit : float(kind); }
-
-// Whether the triangle of this texel, where it is nearest to the light, is nearer than the receiver's plane there.
-bool occludes(Held held, Receiver r, vec2 fromSample) {
-  if (!held.exists || isOnPlane(held, r, -fromSample)) return false;
-  const vec2 nearest = nearestPoint(held.t);
-  const float receiver = r.depth + dot(r.depthPerTexel, fromSample + nearest);
-  return planeDepth(held.t, nearest) > receiver;
-}
 
 // The line that the shadow's edge follows at the sample, seen along a tangent, in the tangent's own axes from the
 // sample: (way, depth into the shadow).
@@ -126,11 +117,11 @@ float lookup(uint view, Receiver r) {
       if (hides(heldIn(view, texel), r, around.at - vec2(x, y)))
         return answer(kAnswerNeighbours, 0);
     }
-  if (!kRecover) return answer(kAnswerNeighbours, 1);
+  if (kRecovery == kRecoverNothing) return answer(kAnswerNeighbours, 1);
 
   around.occluders = 0;
   for (uint i = 0; i < 9; ++i)
-    if (occludes(around.held[i], r, (i < 8 ? neighbourAt(i) : vec2(0)) - around.at)) around.occluders |= 1u << i;
+    if (occludes(around.held[i], r, r.depth, (i < 8 ? neighbourAt(i) : vec2(0)) - around.at)) around.occluders |= 1u << i;
   // No shadow's edge passes through a texel that no occluder touches.
   if ((around.occluders >> 8 & 1u) == 0) return answer(kAnswerNeighbours, 1);
   if (around.occluders == 0x1ffu) return answer(kAnswerUncertain, 0);

@@ -6,10 +6,15 @@
 #include "shared/silhouette.h"
 #include "stored_depth.glsl"
 
+layout(constant_id = 5) const uint kRecovery = kRecoverNothing;
+// Whether a stored triangle decides only what its rounding leaves no doubt about: the rest is asked of the mesh.
+const bool kDoubts = kStore == kStoreTriangles && kRecovery == kRecoverWalk;
+
 struct Held {
   bool exists;
   TexelTriangle t;
-  float depthError;  // at most, of what packing rounded; 0 where nothing was packed
+  vec2 cornerError;  // at most, of what packing rounded, texels; 0 where nothing was packed
+  float depthError;  // too
   vec2 slopeError;
   uvec2 owner;  // instance and triangle; kNoInstance where they aren't known
 };
@@ -18,6 +23,7 @@ Held noTriangle() {
   Held held;
   held.exists = false;
   held.t = TexelTriangle(vec2[3](vec2(0), vec2(0), vec2(0)), 0.0, vec2(0));
+  held.cornerError = vec2(0);
   held.depthError = 0;
   held.slopeError = vec2(0);
   held.owner = uvec2(kNoInstance, 0);
@@ -34,6 +40,7 @@ Held unpacked(uint view, ivec2 texel) {
   const vec2 down = uintBitsToFloat(texelFetch(tableTexels, int(packed_.w & 0xffu)).xy);
   const TexelMetric metric = texelMetric(view);
   held.t.depth = depthOfCode(packed_.w >> 16, metric);
+  held.cornerError = 0.5 * (1 + 2 * kCornerMargin) / kCornerSteps * size;
   held.depthError = 0.5 / kDepthSteps * depthPerShare(held.t.depth, metric);
   const vec2 slopePerCode = slopePerTangent(held.t.depth, metric) / size;
   held.t.slope = vec2(right.x, down.x) * slopePerCode;
@@ -71,16 +78,25 @@ bool isOnPlane(Held held, Receiver r, vec2 at) {
          all(lessThanEqual(abs(held.t.slope - r.depthPerTexel), held.slopeError));
 }
 
-// How much nearer to the light than it is packing may have turned the triangle: never counted as more than what a plain
-// map's receiver moves.
+// How much nearer to the light than it is packing may have turned the triangle. Where there is nobody else to ask it is
+// never counted as more than what a plain map's receiver moves.
 float errorAt(Held held, Receiver r, vec2 at) {
-  return min(held.depthError + dot(min(held.slopeError, 1e6), abs(at)), r.depth - r.exactDepth);
+  const float most = held.depthError + dot(min(held.slopeError, 1e6), abs(at));
+  return kDoubts ? most : min(most, r.depth - r.exactDepth);
 }
 
 // Whether it is between the receiver and the light.
 bool hides(Held held, Receiver r, vec2 at) {
-  return held.exists && planeDepth(held.t, at) - errorAt(held, r, at) > r.exactDepth && containsPoint(held.t, at) &&
-         !isOnPlane(held, r, at);
+  return held.exists && planeDepth(held.t, at) - errorAt(held, r, at) > r.exactDepth &&
+         containsPoint(held.t, at, kDoubts ? held.cornerError : vec2(0)) && !isOnPlane(held, r, at);
+}
+
+// Whether the triangle of a texel, where it is nearest to the light in it, is nearer than the receiver's plane there. The
+// receiver has this depth at the sample; the texel's centre is `fromSample`.
+bool occludes(Held held, Receiver r, float depth, vec2 fromSample) {
+  if (!held.exists || isOnPlane(held, r, -fromSample)) return false;
+  const vec2 nearest = nearestPoint(held.t);
+  return planeDepth(held.t, nearest) > depth + dot(r.depthPerTexel, fromSample + nearest);
 }
 
 // What the triangle of the receiver's own texel says alone: how lit it is, or kUndecided. On its plane it is lit, because

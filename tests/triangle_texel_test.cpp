@@ -138,7 +138,7 @@ TEST(TriangleTexel, LargeTrianglesAreTheSameAboutTheirTexel) {
     const auto inside = [](const vec2* corners, vec2 p) {
       TexelTriangle at;
       for (int c = 0; c < 3; ++c) at.corners[c] = corners[c];
-      return containsPoint(at, p);
+      return containsPoint(at, p, vec2(0));
     };
     if (!inside(t.corners, texel)) continue;
     const uvec4 packed = packedTriangle(onGrid(t, texel), kSunMetric);
@@ -175,7 +175,7 @@ TEST(Silhouette, TheNearestPointIsOnTheTriangleAndNoneIsNearer) {
     float greatest = -100;
     for (int k = 0; k < 400; ++k) {
       const vec2 at(inTexel(random), inTexel(random));
-      if (containsPoint(t, at)) greatest = std::max(greatest, planeDepth(t, at));
+      if (containsPoint(t, at, vec2(0))) greatest = std::max(greatest, planeDepth(t, at));
     }
     if (greatest < -50) continue;
     ++covered;
@@ -184,7 +184,7 @@ TEST(Silhouette, TheNearestPointIsOnTheTriangleAndNoneIsNearer) {
     EXPECT_GE(planeDepth(t, nearest), greatest - 1e-5f);
     // On it, but for rounding.
     const vec2 centroid = (t.corners[0] + t.corners[1] + t.corners[2]) / 3.0f;
-    EXPECT_TRUE(containsPoint(t, nearest + 1e-4f * (centroid - nearest)));
+    EXPECT_TRUE(containsPoint(t, nearest + 1e-4f * (centroid - nearest), vec2(0)));
   }
   EXPECT_GT(covered, 1000);
 }

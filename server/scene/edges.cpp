@@ -15,7 +15,8 @@ namespace {
 struct Side {
   std::uint32_t low, high;  // vertices
   std::uint32_t triangle;
-  bool reversed;  // from high to low
+  bool reversed;       // from high to low
+  std::uint32_t edge;  // of the triangle's three
 };
 
 // Per index of the mesh's triangles, from its first: the one vertex that stands for all in its place.
@@ -46,7 +47,7 @@ std::vector<Side> sidesOf(const Scene& scene, const Mesh& mesh) {
   for (std::uint32_t t = 0; t < mesh.triangleCount; ++t)
     for (std::uint32_t c = 0; c < 3; ++c) {
       const std::uint32_t a = vertices[3 * t + c], b = vertices[3 * t + (c + 1) % 3];
-      sides.push_back({std::min(a, b), std::max(a, b), mesh.firstTriangle + t, a > b});
+      sides.push_back({std::min(a, b), std::max(a, b), mesh.firstTriangle + t, a > b, c});
     }
   std::ranges::sort(sides, {}, [](const Side& s) { return std::tuple(s.low, s.high, s.triangle); });
   return sides;
@@ -96,6 +97,24 @@ SceneEdges findEdges(const Scene& scene) {
 
   for (std::size_t t = 0; t < clusterOf.size(); ++t) found.planes.push_back(planeOf(scene, t));
   return found;
+}
+
+std::vector<std::uint32_t> findAdjacent(const Scene& scene) {
+  std::vector<std::uint32_t> adjacent(scene.indices.size());
+  for (const Mesh& mesh : scene.meshes) {
+    const std::vector<Side> sides = sidesOf(scene, mesh);
+    for (auto first = sides.begin(); first != sides.end();) {
+      const auto last = std::find_if(
+          first, sides.end(), [&](const Side& s) { return s.low != first->low || s.high != first->high; });
+      for (auto side = first; side != last; ++side) {
+        const Side& next = side + 1 == last ? *first : *(side + 1);
+        adjacent[3 * side->triangle + side->edge] =
+            shared::adjacentSide(next.triangle, next.edge, next.reversed == side->reversed);
+      }
+      first = last;
+    }
+  }
+  return adjacent;
 }
 
 }  // namespace sundial

@@ -101,6 +101,7 @@ void Frame::bindTo(BindingSet& bindings, const ViewTarget& samples) const {
   if (volumes_) return volumes_->bindTo(bindings);
   if (!store_) return bindNoStore(bindings, samples.visibility, nearest_, unread_);
   store_->bindTo(bindings);
+  if (walksSurfaces(method_)) view_.scene.bindAdjacent(view_.device, bindings);
   if (warp_) warp_->bindTo(bindings);
 }
 

@@ -115,8 +115,8 @@ Specialization planConstants(const Method& method) {
           0, sizes};
 }
 
-std::string_view lookupShader(Lookup lookup) {
-  switch (lookup) {
+std::string_view lookupShader(const Method& method) {
+  switch (method.stages->lookup) {
     case Lookup::hard:
       return "lookup_hard.frag";
     case Lookup::pcf:
@@ -126,7 +126,7 @@ std::string_view lookupShader(Lookup lookup) {
     case Lookup::rgsm:
       return "lookup_rgsm.frag";
     case Lookup::spsm:
-      return "lookup_spsm.frag";
+      return walksSurfaces(method) ? "lookup_spsm_walk.frag" : "lookup_spsm.frag";
     case Lookup::evsm:
       return "lookup_evsm.frag";
   }
@@ -170,12 +170,24 @@ Specialization lookupConstants(const Method& method) {
           stages.partition == Partition::cube};
 }
 
+std::uint32_t recoveryOf(Recovery recovery) {
+  switch (recovery) {
+    case Recovery::off:
+      return shared::kRecoverNothing;
+    case Recovery::edges:
+      return shared::kRecoverEdges;
+    case Recovery::walk:
+      return shared::kRecoverWalk;
+  }
+  return 0;
+}
+
 // Of the resolve pass, whose lookups may have choices of their own.
 Specialization resolveConstants(const Method& method, std::uint32_t answer) {
   Specialization constants = lookupConstants(method);
   if (method.stages->lookup == Lookup::spsm) {
     constants[4] = answer;
-    constants[5] = method.settings.recovery;
+    constants[5] = recoveryOf(method.settings.recovery);
     constants[6] = method.settings.positions;
   }
   return constants;
@@ -217,8 +229,8 @@ MethodPipelines FramePipelines::of(const Method& method) {
       .plan = compute(planShader(stages.partition), planConstants(method)),
       .store = storeDepth_,
       .storeMasked = storeDepthMasked_,
-      .resolve = twoRounds ? round(lookupShader(stages.lookup))
-                           : fullscreen(lookupShader(stages.lookup), VK_FORMAT_R32_SFLOAT,
+      .resolve = twoRounds ? round(lookupShader(method))
+                           : fullscreen(lookupShader(method), VK_FORMAT_R32_SFLOAT,
                                         resolveConstants(method, shared::kAnswerVisibility)),
       .answers = fullscreen("answers.frag", VK_FORMAT_R32G32B32A32_UINT, lookupConstants(method))};
   // A pipeline that isn't used would still be compiled: a cold start is short of that time.
@@ -277,7 +289,7 @@ RasterPipelines FramePipelines::raster(const RasterChoice& choice, bool opaque, 
 }
 
 VkPipeline FramePipelines::classify(const Method& method) {
-  return fullscreen(lookupShader(method.stages->lookup), VK_FORMAT_R32_SFLOAT,
+  return fullscreen(lookupShader(method), VK_FORMAT_R32_SFLOAT,
                     resolveConstants(method, shared::kAnswerOneTriangle));
 }
 

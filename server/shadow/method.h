@@ -50,6 +50,9 @@ enum class Analysis { backward, forward, hybrid };
 enum class Raster { automatic, pipeline, compute };
 // Which partition answers: the one made for the sample's depth, or the tightest that contains it.
 enum class Choose { depth, tightest };
+// What becomes of samples that no triangle of the map decides: they are lit; the shadow's edge is rebuilt from
+// triangles' outlines, as the paper has it; or the mesh is followed from those triangles to the sample.
+enum class Recovery { off, edges, walk };
 
 // A row with its parameters settled: what a frame is rendered with. Made by chooseMethod() alone.
 struct Method {
@@ -82,7 +85,7 @@ struct Method {
     double biasTexels = 0;                  // towards the light, texels of the map at the receiver
     std::optional<double> biasWorld;       // towards the light, metres; none: a share of the scene's diagonal
     unsigned kernel = 3;                   // pcf, rgsm and spsm, texels a side
-    bool recovery = true;                  // spsm: of shadows' edges
+    Recovery recovery = Recovery::walk;    // spsm
     unsigned positions = 1;                // spsm: in an uncertain pixel
     std::vector<double> exponents;         // storage=moments: positive and negative
     double blur = 0;                       // metres
@@ -92,6 +95,11 @@ struct Method {
   } settings;
   std::string label() const;  // "sm,texels=1024": the name and what differs from the defaults
 };
+
+// Whether its lookup follows meshes from triangle to triangle.
+inline bool walksSurfaces(const Method& m) {
+  return m.stages && m.stages->lookup == Lookup::spsm && m.settings.recovery == Recovery::walk;
+}
 
 std::span<const MethodRow> methodTable();
 // With those that only other choices at a stage read: descriptions say which.

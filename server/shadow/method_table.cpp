@@ -111,7 +111,7 @@ std::span<const MethodRow> methodTable() {
                 Stages{Volume::scene, Partition::single, Warp::none, Focus::loose, Resolution::fixed,
                        Storage::triangle, Lookup::spsm},
                 "[Lecocq et al. 2014] section 5",
-                {{"positions", "4"}}},
+                {{"recovery", "edges"}, {"positions", "4"}}},
       MethodRow{"rgsm", "Reconstructable geometry shadow map: the triangles of a texel and its neighbours",
                 Technique::shadowMap,
                 Stages{Volume::scene, Partition::single, Warp::none, Focus::loose, Resolution::fixed,

@@ -312,20 +312,23 @@ const std::vector<Rule>& rules() {
       {{.name = "recovery",
         .kind = Kind::choice,
         .unit = "",
-        .defaultValue = "on",
+        .defaultValue = "walk",
         .description =
-            "on: where no stored triangle decides, the shadow's edge is rebuilt; off: such samples are "
-            "lit; with lookup=spsm",
-        .choices = {"on", "off"}},
+            "of samples that no stored triangle decides; walk: the mesh is followed from those triangles to "
+            "the sample; edges: the shadow's edge is rebuilt from their outlines, as the paper has it; off: "
+            "they are lit; with lookup=spsm",
+        .choices = {"walk", "edges", "off"}},
        spsm,
-       [](const std::string& text, Method::Settings& s) { s.recovery = text == "on"; }},
+       [](const std::string& text, Method::Settings& s) {
+         s.recovery = text == "walk" ? Recovery::walk : text == "edges" ? Recovery::edges : Recovery::off;
+       }},
       {{.name = "positions",
         .kind = Kind::choice,
         .unit = "1",
         .defaultValue = "1",
         .description =
             "how many places of a pixel the rebuilt edge is asked for: 1 is the sample itself; with "
-            "lookup=spsm",
+            "lookup=spsm and recovery=edges",
         .choices = {"1", "2", "4", "8"}},
        spsm,
        [](const std::string& text, Method::Settings& s) { s.positions = countIn(text); }},

@@ -4,6 +4,7 @@
 #include <cstring>
 #include <functional>
 
+#include "scene/edges.h"
 #include "shared/bindings.h"
 
 namespace sundial {
@@ -106,6 +107,7 @@ VkDeviceSize SceneBuffers::bytes() const {
        {std::cref<Buffer>(vertices_), std::cref<Buffer>(attributes_), std::cref<Buffer>(triangles_),
         std::cref<Buffer>(draws_), std::cref<Buffer>(instances_)})
     sum += buffer.size();
+  if (adjacent_) sum += static_cast<const Buffer&>(*adjacent_).size();
   return sum;
 }
 
@@ -136,10 +138,15 @@ void SceneBuffers::bindTo(BindingSet& set) const {
   set.set(shared::kBindInstances, instances_);
   set.set(shared::kBindMaterials, materials_);
   set.set(shared::kBindTextures, textures_, sampler_);
-  // Unless a frame of shadow volumes brings what belongs there.
-  for (const std::uint32_t binding :
-       {shared::kBindEdges, shared::kBindEdgeSides, shared::kBindClusterEdges, shared::kBindPlanes})
+  // Unless a frame brings what belongs there.
+  for (const std::uint32_t binding : {shared::kBindEdges, shared::kBindEdgeSides, shared::kBindClusterEdges,
+                                      shared::kBindPlanes, shared::kBindAdjacent})
     set.set(binding, triangles_);
+}
+
+void SceneBuffers::bindAdjacent(const Device& device, BindingSet& set) const {
+  if (!adjacent_) adjacent_ = uploadedTexels(device, findAdjacent(*scene_), VK_FORMAT_R32_UINT, 4);
+  set.set(shared::kBindAdjacent, *adjacent_);
 }
 
 void SceneBuffers::bindVertices(VkCommandBuffer command, bool withAttributes) const {

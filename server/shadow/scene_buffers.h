@@ -26,6 +26,8 @@ class SceneBuffers {
   // Places the instances relative to this origin, if they aren't yet.
   void moveTo(const Device&, const glm::dvec3& origin);
   void bindTo(BindingSet&) const;
+  // What lies across triangles' edges (findAdjacent()): found when a frame first asks for it.
+  void bindAdjacent(const Device&, BindingSet&) const;
   void bindVertices(VkCommandBuffer, bool withAttributes) const;
 
   static std::vector<VkVertexInputBindingDescription> vertexBindings(bool withAttributes);
@@ -43,6 +45,7 @@ class SceneBuffers {
   bool plainColours_;
   std::vector<shared::Draw> drawList_;
   std::optional<glm::dvec3> origin_;
+  mutable std::optional<TexelBuffer> adjacent_;
 };
 
 }  // namespace sundial

@@ -43,22 +43,23 @@ SUNDIAL_CONST kBindTables = 27u;        // RG32UI: slopes and patterns, lookup_t
 SUNDIAL_CONST kBindWarpTexels = 28u;    // RG32UI: bits of the floats that kBindWarps holds
 SUNDIAL_CONST kBindCentreTexels = 29u;  // RG32UI: what is left in kBindImportance: warp.glsl
 SUNDIAL_CONST kBindHeld = 30u;          // RGBA32UI: packed triangles, storage=triangle
-SUNDIAL_CONST kTexelBindings = 31u;
+SUNDIAL_CONST kBindAdjacent = 31u;      // R32UI: three a triangle: adjacentSide() of its edges
+SUNDIAL_CONST kTexelBindings = 32u;
 
-SUNDIAL_CONST kBindHeldWritten = 31u;  // the same, as pack_triangles.comp writes it
-SUNDIAL_CONST kStorageTexelBindings = 32u;
+SUNDIAL_CONST kBindHeldWritten = 32u;  // the same, as pack_triangles.comp writes it
+SUNDIAL_CONST kStorageTexelBindings = 33u;
 
-SUNDIAL_CONST kBindTextures = 32u;      // sampler2DArray: base colour
-SUNDIAL_CONST kBindDepth = 33u;         // sampler2D: the G-buffer's depth
-SUNDIAL_CONST kBindIds = 34u;           // usampler2D: the G-buffer's draw and triangle
-SUNDIAL_CONST kBindPositions = 35u;     // usampler2D: view samples, position's bits and instance
-SUNDIAL_CONST kBindNormals = 36u;       // usampler2D: view samples, normal's bits and triangle
-SUNDIAL_CONST kBindStore = 37u;         // sampler2D: the shadow maps
-SUNDIAL_CONST kBindVisibility = 38u;    // sampler2D: what resolve wrote
-SUNDIAL_CONST kBindMultisampled = 39u;  // sampler2DMS: the depths of one view, storage=moments
-SUNDIAL_CONST kBindMoments = 40u;       // sampler2DArray: a layer a view
-SUNDIAL_CONST kBindBlurred = 41u;       // sampler2DArray: a view half-way through its blur
-SUNDIAL_CONST kBindCount = 42u;
+SUNDIAL_CONST kBindTextures = 33u;      // sampler2DArray: base colour
+SUNDIAL_CONST kBindDepth = 34u;         // sampler2D: the G-buffer's depth
+SUNDIAL_CONST kBindIds = 35u;           // usampler2D: the G-buffer's draw and triangle
+SUNDIAL_CONST kBindPositions = 36u;     // usampler2D: view samples, position's bits and instance
+SUNDIAL_CONST kBindNormals = 37u;       // usampler2D: view samples, normal's bits and triangle
+SUNDIAL_CONST kBindStore = 38u;         // sampler2D: the shadow maps
+SUNDIAL_CONST kBindVisibility = 39u;    // sampler2D: what resolve wrote
+SUNDIAL_CONST kBindMultisampled = 40u;  // sampler2DMS: the depths of one view, storage=moments
+SUNDIAL_CONST kBindMoments = 41u;       // sampler2DArray: a layer a view
+SUNDIAL_CONST kBindBlurred = 42u;       // sampler2DArray: a view half-way through its blur
+SUNDIAL_CONST kBindCount = 43u;
 
 SUNDIAL_SHARED_END
 #endif

@@ -43,5 +43,8 @@ SUNDIAL_CONST kStoreImage = 0u, kStoreDepths = 1u, kStoreIds = 2u, kStoreTriangl
 // texel, those of its neighbours too, or the rebuilt edge.
 SUNDIAL_CONST kAnswerVisibility = 0u, kAnswerOneTriangle = 1u, kAnswerNeighbours = 2u, kAnswerUncertain = 3u;
 
+// What becomes of samples that no stored triangle decides: texel_triangle.glsl, lookup_spsm.frag.
+SUNDIAL_CONST kRecoverNothing = 0u, kRecoverEdges = 1u, kRecoverWalk = 2u;
+
 SUNDIAL_SHARED_END
 #endif

@@ -142,7 +142,7 @@ void coverOver(inout Varying v, uint view, vec2 corners[3]) {
   }
   // A texel's width. In the light of a place it is less depth the farther away it is, and counts as it is at the far end.
   const ShadowView s = plan.views[view];
-  v.depthStep = 3.0 * max(s.texelSize.x, s.texelSize.y) * (frame.lightKind == kLightDirectional ? 1.0 : s.lsMin.z) /
+  v.depthStep = max(s.texelSize.x, s.texelSize.y) * (frame.lightKind == kLightDirectional ? 1.0 : s.lsMin.z) /
                 (s.lsMax.z - s.lsMin.z);
 }
 

@@ -25,6 +25,14 @@ struct Around {
 
 float answer(uint kind, float lit) { return kAnswer == kAnswerVisibility ? lit : float(kind); }
 
+// Whether the triangle of this texel, where it is nearest to the light, is nearer than the receiver's plane there.
+bool occludes(Held held, Receiver r, vec2 fromSample) {
+  if (!held.exists || isOnPlane(held, r, -fromSample)) return false;
+  const vec2 nearest = nearestPoint(held.t);
+  const float receiver = r.depth + dot(r.depthPerTexel, fromSample + nearest);
+  return planeDepth(held.t, nearest) > receiver;
+}
+
 // The line that the shadow's edge follows at the sample, seen along a tangent, in the tangent's own axes from the
 // sample: (way, depth into the shadow).
 EdgeFunction edgeOf(Around around, vec2 light) {
@@ -121,7 +129,7 @@ float lookup(uint view, Receiver r) {
 
   around.occluders = 0;
   for (uint i = 0; i < 9; ++i)
-    if (occludes(around.held[i], r, r.depth, (i < 8 ? neighbourAt(i) : vec2(0)) - around.at)) around.occluders |= 1u << i;
+    if (occludes(around.held[i], r, (i < 8 ? neighbourAt(i) : vec2(0)) - around.at)) around.occluders |= 1u << i;
   // No shadow's edge passes through a texel that no occluder touches.
   if ((around.occluders >> 8 & 1u) == 0) return answer(kAnswerNeighbours, 1);
   if (around.occluders == 0x1ffu) return answer(kAnswerUncertain, 0);

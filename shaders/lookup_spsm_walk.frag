@@ -15,54 +15,35 @@
 
 layout(constant_id = 4) const uint kAnswer = kAnswerVisibility;
 
-const uint kStartWords = 8;  // a bit for each texel of the largest kernel
-
-// Texels about the sample whose walks are still to be gone: rows of the kernel's square.
-struct Starts {
-  uint bits[kStartWords];
-};
-
 float answer(uint kind, float lit) { return kAnswer == kAnswerVisibility ? lit : float(kind); }
 
-ivec2 offsetOf(uint k) { return ivec2(k % frame.pcfKernel, k / frame.pcfKernel) - int(frame.pcfKernel / 2); }
-
-// The next walk that arrives between the sample and the light; `hit` is where.
-bool nextOccluder(uint view, Receiver r, ivec2 centre, inout Starts starts, out StoredTriangle hit) {
+// The next walk, of those that begin in the kernel's texels from number `k` on, that arrives between the sample and the
+// light; `hit` is where.
+bool nextOccluder(uint view, Receiver r, ivec2 centre, inout uint k, out StoredTriangle hit) {
+  const uint side = frame.pcfKernel;
+  const ivec2 high = ivec2(plan.views[view].rectSize) - 1;
   uint last = kNoInstance;
-  for (uint word = 0; word < kStartWords; ++word)
-    while (starts.bits[word] != 0) {
-      const uint k = 32 * word + uint(findLSB(starts.bits[word]));
-      starts.bits[word] &= starts.bits[word] - 1;
-      hit = storedTriangle(view, centre + offsetOf(k));
-      if (hit.triangle == last) continue;
-      last = hit.triangle;
-      if (findOccluder(r.viewSample, hit.instance, hit.triangle) &&
-          (hit.triangle != r.viewSample.triangle || hit.instance != r.viewSample.instance))
-        return true;
-    }
+  while (k < side * side) {
+    const ivec2 texel = centre + ivec2(k % side, k / side) - int(side / 2);
+    ++k;
+    if (any(lessThan(texel, ivec2(0))) || any(greaterThan(texel, high))) continue;
+    hit = storedTriangle(view, texel);
+    if (!hit.exists || hit.triangle == last) continue;
+    last = hit.triangle;
+    if (findOccluder(r.viewSample, hit.instance, hit.triangle) &&
+        (hit.triangle != r.viewSample.triangle || hit.instance != r.viewSample.instance))
+      return true;
+  }
   return false;
 }
 
 float lookup(uint view, Receiver r) {
-  const ivec2 centre = texelIn(view, r.texel), high = ivec2(plan.views[view].rectSize) - 1;
-  const vec2 at = r.texel - (vec2(centre) + 0.5);
-  const Held own = heldIn(view, centre);
-  const float byOwn = litByOwn(own, r, at);
+  const ivec2 centre = texelIn(view, r.texel);
+  const float byOwn = litByOwn(heldIn(view, centre), r, r.texel - (vec2(centre) + 0.5));
   if (byOwn != kUndecided) return answer(kAnswerOneTriangle, byOwn);
-
-  Starts starts;
-  for (uint word = 0; word < kStartWords; ++word) starts.bits[word] = 0;
-  for (uint k = 0; k < frame.pcfKernel * frame.pcfKernel; ++k) {
-    const ivec2 offset = offsetOf(k), texel = centre + offset;
-    if (any(lessThan(texel, ivec2(0))) || any(greaterThan(texel, high))) continue;
-    const Held held = heldIn(view, texel);
-    if (hides(held, r, at - vec2(offset))) return answer(kAnswerNeighbours, 0);
-    if (occludes(held, r, r.exactDepth, vec2(offset) - at)) starts.bits[k / 32] |= 1u << k % 32;
-  }
-  // No shadow's edge passes through a texel that no occluder touches.
-  if (!occludes(own, r, r.exactDepth, -at)) return answer(kAnswerNeighbours, 1);
+  uint k = 0;
   StoredTriangle hit;
-  while (nextOccluder(view, r, centre, starts, hit))
+  while (nextOccluder(view, r, centre, k, hit))
     if (!isHoleOver(r.viewSample, hit.instance, hit.triangle)) return answer(kAnswerUncertain, 0);
   return answer(kAnswerUncertain, 1);
 }

@@ -91,14 +91,6 @@ bool hides(Held held, Receiver r, vec2 at) {
          containsPoint(held.t, at, kDoubts ? held.cornerError : vec2(0)) && !isOnPlane(held, r, at);
 }
 
-// Whether the triangle of a texel, where it is nearest to the light in it, is nearer than the receiver's plane there. The
-// receiver has this depth at the sample; the texel's centre is `fromSample`.
-bool occludes(Held held, Receiver r, float depth, vec2 fromSample) {
-  if (!held.exists || isOnPlane(held, r, -fromSample)) return false;
-  const vec2 nearest = nearestPoint(held.t);
-  return planeDepth(held.t, nearest) > depth + dot(r.depthPerTexel, fromSample + nearest);
-}
-
 // What the triangle of the receiver's own texel says alone: how lit it is, or kUndecided. On its plane it is lit, because
 // that triangle is the nearest of all that touch the texel.
 const float kUndecided = -1;

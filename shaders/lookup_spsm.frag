@@ -104,7 +104,7 @@ float lookup(uint view, Receiver r) {
   around.centre = texelIn(view, r.texel);
   around.at = r.texel - (vec2(around.centre) + 0.5);
   const Held own = heldIn(view, around.centre);
-  const float byOwn = litByOwn(own, r, around.at);
+  const float byOwn = litByOwn(view, around.centre, own, r, around.at);
   if (byOwn != kUndecided) return answer(kAnswerOneTriangle, byOwn);
 
   const ivec2 high = ivec2(plan.views[view].rectSize) - 1;

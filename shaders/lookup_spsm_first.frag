@@ -17,7 +17,8 @@ float decided(ViewSample s) {
   const Receiver r = receiverIn(c.view, s);
   const ivec2 texel = texelIn(c.view, r.texel);
   const bool isBetween = kBlend && c.nextWeight > 0;  // two views answer
-  const float lit = isBetween ? kUndecided : litByOwn(heldIn(c.view, texel), r, r.texel - (vec2(texel) + 0.5));
+  const vec2 at = r.texel - (vec2(texel) + 0.5);
+  const float lit = isBetween ? kUndecided : litByOwn(c.view, texel, heldIn(c.view, texel), r, at);
   if (kStore == kStoreTriangles && lit == kUndecided && wanted.moreReach > 0) {
     wantAround(c.view, r.texel, wanted.moreReach);
     if (isBetween) wantAround(c.next, receiverIn(c.next, s).texel, wanted.moreReach);

@@ -39,7 +39,7 @@ bool nextOccluder(uint view, Receiver r, ivec2 centre, inout uint k, out StoredT
 
 float lookup(uint view, Receiver r) {
   const ivec2 centre = texelIn(view, r.texel);
-  const float byOwn = litByOwn(heldIn(view, centre), r, r.texel - (vec2(centre) + 0.5));
+  const float byOwn = litByOwn(view, centre, heldIn(view, centre), r, r.texel - (vec2(centre) + 0.5));
   if (byOwn != kUndecided) return answer(kAnswerOneTriangle, byOwn);
   uint k = 0;
   StoredTriangle hit;

@@ -16,6 +16,9 @@ StoredTriangle storedTriangle(uint view, ivec2 texel) {
   return StoredTriangle(words.y > 0, drawAt(words.x / kMaxClusterTriangles).instance, triangleOf(words.x));
 }
 
+// Whether it may have holes.
+bool isMasked(StoredTriangle t) { return materials[triangleAt(t.triangle).material].alphaCutoff > 0; }
+
 // Whether the triangle isn't there at the point with these weights of its corners.
 bool isHoleAt(Triangle triangle, vec3 weights) {
   const Material material = materials[triangle.material];

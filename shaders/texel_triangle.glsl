@@ -4,11 +4,13 @@
 #define SUNDIAL_TEXEL_TRIANGLE_GLSL
 #include "map_triangle.glsl"
 #include "shared/silhouette.h"
-#include "stored_depth.glsl"
+#include "stored_triangle.glsl"
 
 layout(constant_id = 5) const uint kRecovery = kRecoverNothing;
 // Whether a stored triangle decides only what its rounding leaves no doubt about: the rest is asked of the mesh.
 const bool kDoubts = kStore == kStoreTriangles && kRecovery == kRecoverWalk;
+// Whether there are alpha-tested triangles, and walks to ask where their holes are.
+layout(constant_id = 9) const bool kHoles = false;
 
 struct Held {
   bool exists;
@@ -94,9 +96,10 @@ bool hides(Held held, Receiver r, vec2 at) {
 // What the triangle of the receiver's own texel says alone: how lit it is, or kUndecided. On its plane it is lit, because
 // that triangle is the nearest of all that touch the texel.
 const float kUndecided = -1;
-float litByOwn(Held own, Receiver r, vec2 at) {
+float litByOwn(uint view, ivec2 texel, Held own, Receiver r, vec2 at) {
   if (!own.exists || isOnPlane(own, r, at)) return 1;
-  return hides(own, r, at) ? 0.0 : kUndecided;
+  if (!hides(own, r, at)) return kUndecided;
+  return kHoles && isMasked(storedTriangle(view, texel)) ? kUndecided : 0.0;
 }
 
 #endif

@@ -183,12 +183,13 @@ std::uint32_t recoveryOf(Recovery recovery) {
 }
 
 // Of the resolve pass, whose lookups may have choices of their own.
-Specialization resolveConstants(const Method& method, std::uint32_t answer) {
+Specialization resolveConstants(const Method& method, bool holes, std::uint32_t answer) {
   Specialization constants = lookupConstants(method);
   if (method.stages->lookup == Lookup::spsm) {
     constants[4] = answer;
     constants[5] = recoveryOf(method.settings.recovery);
     constants[6] = method.settings.positions;
+    constants.push_back(holes && walksSurfaces(method));
   }
   return constants;
 }
@@ -216,14 +217,14 @@ FramePipelines::FramePipelines(const Device& device)
       storeDepthMasked_(makeGraphicsPipeline(
           device, layout, storeOf("store_depth_masked.vert", "store_depth_masked.frag", true))) {}
 
-MethodPipelines FramePipelines::of(const Method& method) {
+MethodPipelines FramePipelines::of(const Method& method, bool holes) {
   const Stages& stages = *method.stages;
   const bool histogram = stages.partition == Partition::adaptive || stages.partition == Partition::kmeans;
   const bool twoRounds = stages.lookup == Lookup::spsm;
   const auto round = [&](std::string_view shader) {
     GraphicsPipelineInfo info = fullscreenOf(shader, {VK_FORMAT_R32_SFLOAT});
     info.depth = true;
-    return drawing(info, resolveConstants(method, shared::kAnswerVisibility));
+    return drawing(info, resolveConstants(method, holes, shared::kAnswerVisibility));
   };
   MethodPipelines made{
       .plan = compute(planShader(stages.partition), planConstants(method)),
@@ -231,7 +232,7 @@ MethodPipelines FramePipelines::of(const Method& method) {
       .storeMasked = storeDepthMasked_,
       .resolve = twoRounds ? round(lookupShader(method))
                            : fullscreen(lookupShader(method), VK_FORMAT_R32_SFLOAT,
-                                        resolveConstants(method, shared::kAnswerVisibility)),
+                                        resolveConstants(method, holes, shared::kAnswerVisibility)),
       .answers = fullscreen("answers.frag", VK_FORMAT_R32G32B32A32_UINT, lookupConstants(method))};
   // A pipeline that isn't used would still be compiled: a cold start is short of that time.
   const bool samples = asksSamples(stages);
@@ -288,9 +289,9 @@ RasterPipelines FramePipelines::raster(const RasterChoice& choice, bool opaque, 
   return made;
 }
 
-VkPipeline FramePipelines::classify(const Method& method) {
+VkPipeline FramePipelines::classify(const Method& method, bool holes) {
   return fullscreen(lookupShader(method), VK_FORMAT_R32_SFLOAT,
-                    resolveConstants(method, shared::kAnswerOneTriangle));
+                    resolveConstants(method, holes, shared::kAnswerOneTriangle));
 }
 
 VkPipeline FramePipelines::want(const Method& method) {

@@ -57,10 +57,11 @@ class FramePipelines {
  public:
   explicit FramePipelines(const Device&);
 
-  // Made when they are first asked for. A method with a map; one without has no pipelines of its own.
-  MethodPipelines of(const Method&);
+  // Made when they are first asked for. A method with a map; one without has no pipelines of its own. `holes`:
+  // whether the scene is alpha-tested somewhere.
+  MethodPipelines of(const Method&, bool holes = false);
   // How lookup=spsm answers, in the numbers of shared/choices.h, in the place of what it answers.
-  VkPipeline classify(const Method&);
+  VkPipeline classify(const Method&, bool holes);
   VkPipeline want(const Method&);  // storage=triangle: lists the texels that its lookups begin with
   RasterPipelines raster(const RasterChoice&, bool opaque, bool masked);
   WarpPipelines warp(const Method&);

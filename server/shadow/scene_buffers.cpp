@@ -100,6 +100,11 @@ SceneBuffers::SceneBuffers(const Device& device, std::shared_ptr<const Scene> sc
   draws_ = uploadedTexels(device, drawList_, VK_FORMAT_R32G32_UINT, 8);
 }
 
+bool SceneBuffers::hasHoles() const {
+  const auto masked = std::span(buckets_).subspan(shared::kFirstMaskedBucket);
+  return std::ranges::any_of(masked, [](const glm::uvec2& bucket) { return bucket.y > 0; });
+}
+
 VkDeviceSize SceneBuffers::bytes() const {
   VkDeviceSize sum =
       places_.size() + indices_.size() + clusters_.size() + materials_.size() + textures_.bytes();

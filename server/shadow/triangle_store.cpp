@@ -35,7 +35,7 @@ TriangleStore::TriangleStore(const Device& device, FramePipelines& pipelines, co
     : device_(device),
       ids_(device, pipelines, method, constants),
       want_(packsWanted(method, constants) ? pipelines.want(method) : VK_NULL_HANDLE),
-      moreReach_(std::max(method.settings.kernel / 2, 1u)),
+      moreReach_(walksSurfaces(method) ? 0 : std::max(method.settings.kernel / 2, 1u)),
       pack_(pipelines.compute("pack_triangles.comp", {shadowViewsOf(method), reachBeyond(method, constants),
                                                       !packsWanted(method, constants), 0, 0, 0, 0, 0,
                                                       method.stages->partition == Partition::cube})) {
@@ -82,7 +82,7 @@ void TriangleStore::gather(VkCommandBuffer command, std::uint32_t samples) const
 }
 
 void TriangleStore::gatherMore(VkCommandBuffer command) const {
-  if (want_) pack(command);
+  if (want_ && moreReach_ > 0) pack(command);
 }
 
 void TriangleStore::pack(VkCommandBuffer command) const {

@@ -1,8 +1,12 @@
 // Maps that hold triangles: shadows' edges finer than texels, what decides about a sample, and with which
 // other stages it goes.
+#include <glm/gtc/matrix_transform.hpp>
+
+#include "scene/scene_builder.h"
 #include "shared/choices.h"
 #include "shared/wanted.h"
 #include "support/rendering.h"
+#include "support/tiny_scene.h"
 
 namespace sundial::test {
 namespace {
@@ -14,9 +18,14 @@ class FrameSpsm : public RendererTest {
                                              std::string_view light,
                                              std::initializer_list<std::string_view> methods) {
     const auto held = builtin(scene);
+    return wrong(held, viewOf(*held, view), lightOf(*held, light), methods);
+  }
+
+  static std::map<std::string, double> wrong(const std::shared_ptr<const Scene>& scene, const View& view,
+                                             const Light& light,
+                                             std::initializer_list<std::string_view> methods) {
     std::map<std::string, double> shares;
-    const auto renderings =
-        render(jobOf(held, viewOf(*held, view), lightOf(*held, light), {320, 320}, methods, {}, true));
+    const auto renderings = render(jobOf(scene, view, light, {320, 320}, methods, {}, true));
     auto method = methods.begin();
     for (const Rendering& r : renderings) shares[std::string(*method++)] = 1 - r.result.measures->pixelMatch;
     return shares;
@@ -37,12 +46,63 @@ TEST_F(FrameSpsm, EdgesOfLargeTrianglesAreExact) {
 
 TEST_F(FrameSpsm, RebuiltEdgesMakeUpForTrianglesThatNoTexelHolds) {
   auto w = wrong("knot", "main", "sun",
-                 {"sm,texels=1024", "spsm,texels=1024", "spsm,texels=1024,recovery=off", "rgsm,texels=1024",
-                  "rgsm,texels=1024,kernel=5"});
-  EXPECT_LT(w["spsm,texels=1024"], 0.48 * w["sm,texels=1024"]);
-  EXPECT_GT(w["spsm,texels=1024,recovery=off"], 3 * w["spsm,texels=1024"]);
+                 {"sm,texels=1024", "spsm,texels=1024,recovery=edges", "spsm,texels=1024,recovery=off",
+                  "rgsm,texels=1024", "rgsm,texels=1024,kernel=5"});
+  const double edges = w["spsm,texels=1024,recovery=edges"];
+  EXPECT_LT(edges, 0.48 * w["sm,texels=1024"]);
+  EXPECT_GT(w["spsm,texels=1024,recovery=off"], 3 * edges);
   EXPECT_GT(w["rgsm,texels=1024"], w["rgsm,texels=1024,kernel=5"]);
-  EXPECT_GT(w["rgsm,texels=1024,kernel=5"], 2 * w["spsm,texels=1024"]);
+  EXPECT_GT(w["rgsm,texels=1024,kernel=5"], 2 * edges);
+}
+
+// The paper's figure: 5.6 times fewer wrong pixels than a plain map has. Packed or whole, it is the same walk.
+TEST_F(FrameSpsm, WalksFindThemWhereTheyAre) {
+  auto w = wrong("knot", "main", "sun",
+                 {"sm,texels=1024", "spsm,texels=1024", "spsm,texels=1024,storage=depth-id",
+                  "spsm,texels=1024,kernel=5"});
+  EXPECT_LT(5.6 * w["spsm,texels=1024"], w["sm,texels=1024"]);
+  EXPECT_LT(5.6 * w["spsm,texels=1024,storage=depth-id"], w["sm,texels=1024"]);
+  EXPECT_LT(w["spsm,texels=1024,kernel=5"], 0.9 * w["spsm,texels=1024"]);
+}
+
+// Balls over a floor, of which a texel holds one of many triangles: no walk over them meets a silhouette but
+// their outline. In each kind of light, and where the instance is a mirror image.
+TEST_F(FrameSpsm, WalksOverBallsAreExact) {
+  const auto meshOf = [](const Soup& soup) {
+    Primitive primitive{.positions = soup.positions, .uvs = {}, .colours = {}, .indices = {}, .material = 0};
+    for (std::uint32_t i = 0; i < soup.positions.size(); ++i) primitive.indices.push_back(i);
+    return std::vector{primitive};
+  };
+  SceneBuilder builder("balls");
+  builder.addMaterial({.name = "grey", .gpu = {glm::vec4(1), 0, shared::kNoTexture, 0, 0}});
+  builder.addInstance("floor", builder.addMesh("floor", meshOf(quad({-6, 0, 6}, {12, 0, 0}, {0, 0, -12}))),
+                      glm::dmat4(1));
+  const std::uint32_t ball = builder.addMesh("ball", meshOf(sphere(48)));
+  for (const double side : {-1.0, 1.0})
+    builder.addInstance(
+        "ball", ball,
+        glm::scale(glm::translate(glm::dmat4(1), glm::dvec3(1.5 * side, 2, 0)), glm::dvec3(side, 1, 1)));
+  const auto scene = sharedScene(std::move(builder).finish());
+  const View view{.eye = {0, 7, 7}, .target = {0, 0.5, 0}};
+  const Light point{.kind = LightKind::point, .position = {0.3, 6, 0.5}};
+  for (const Light& light : {sun(60, 20), spot({0.5, 9, 1}, {0, 0, 0}, 70), point}) {
+    auto w = wrong(scene, view, light,
+                   {"sm,texels=128", "spsm,texels=128", "spsm,texels=128,storage=depth-id",
+                    "spsm,texels=128,recovery=edges"});
+    EXPECT_GT(w["sm,texels=128"], 0.003);
+    EXPECT_LT(w["spsm,texels=128"], 0.02 * w["sm,texels=128"]);
+    EXPECT_LT(w["spsm,texels=128,storage=depth-id"], 0.02 * w["sm,texels=128"]);
+    EXPECT_GT(w["spsm,texels=128,recovery=edges"], 2 * w["spsm,texels=128"]);
+  }
+}
+
+// Leaves are cards with holes: light that falls through them does.
+TEST_F(FrameSpsm, WalksRespectHoles) {
+  const auto scene = builtin("trees");
+  const auto r = render(jobOf(scene, viewOf(*scene, "main"), lightOf(*scene, "sun"), {240, 180},
+                              {"spsm,texels=1024", "spsm,texels=1024,recovery=edges"}, {}, true));
+  EXPECT_LT(r[0].result.measures->falseShadow, 1e-4);
+  EXPECT_GT(r[1].result.measures->falseShadow, 0.01);
 }
 
 TEST_F(FrameSpsm, GoesWithEveryWayToPlaceMaps) {
@@ -57,8 +117,8 @@ TEST_F(FrameSpsm, GoesWithEveryWayToPlaceMaps) {
     const std::string ids = fmt::format("{},storage=depth-id,lookup=spsm", plan);
     auto w = wrong("grid?n=20", "shadows", light, {plan, spsm, ids});
     EXPECT_LT(w[ids], 0.4 * w[plan]);
-    // In a small tile of a large scene, 16 bits a corner are too few: what that costs is bounded.
-    EXPECT_LT(w[spsm], std::max(0.5 * w[plan], 0.002));
+    // What 16 bits a corner are too few for, in a small tile of a large scene, is asked of the mesh.
+    EXPECT_LT(w[spsm], 0.4 * w[plan]);
   }
 }
 
@@ -71,7 +131,7 @@ TEST_F(FrameSpsm, SmoothedEdgesAreNearerToWhatPixelsSee) {
   const Light light = lightOf(*scene, "sun");
   const Rendering places =
       render(jobOf(scene, view, light, kPlaces * size, {"ray-traced"}, {Aov::reference, Aov::id})).front();
-  const auto renderings = render(jobOf(scene, view, light, size, {"spsm,texels=1024", "spsm-aa,texels=1024"},
+  const auto renderings = render(jobOf(scene, view, light, size, {"spsm,texels=1024,recovery=edges", "spsm-aa,texels=1024"},
                                        {Aov::visibility, Aov::id}));
   std::array<double, 2> error{};
   std::size_t mixed = 0;

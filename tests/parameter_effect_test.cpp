@@ -26,7 +26,7 @@ constexpr std::array kEffects = {
     Effect{"lookup", "sm,texels=256", "sm,texels=256,lookup=pcf"},
     Effect{"kernel", "sm,texels=256,lookup=pcf", "sm,texels=256,lookup=pcf,kernel=5"},
     Effect{"recovery", "spsm,texels=256", "spsm,texels=256,recovery=off"},
-    Effect{"positions", "spsm,texels=256", "spsm,texels=256,positions=4"},
+    Effect{"positions", "spsm,texels=256,recovery=edges", "spsm,texels=256,recovery=edges,positions=4"},
     Effect{"exponents", "evsm,texels=256", "evsm,texels=256,exponents=10:2"},
     Effect{"blur", "evsm,texels=256", "evsm,texels=256,blur=1"},
     Effect{"bleed_reduction", "evsm,texels=256", "evsm,texels=256,bleed_reduction=0.6"},

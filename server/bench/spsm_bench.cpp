@@ -25,11 +25,13 @@ std::vector<std::string> methodsAt(int texels) {
   return {"sm" + size,
           "spsm" + size,
           "spsm,storage=depth-id" + size,
+          "spsm,recovery=edges" + size,
+          "spsm,recovery=edges,storage=depth-id" + size,
           "spsm,recovery=off" + size,
           "rgsm,kernel=5" + size,
           fmt::format("sdsm-log,storage=triangle,lookup=spsm,texels={}", texels / 2)};
 }
-constexpr std::string_view kHead = "sm      spsm    sm/spsm ids     off     rgsm 5  sdsm    ";
+constexpr std::string_view kHead = "sm      spsm    sm/spsm ids     edges   edg ids off     rgsm 5  sdsm    ";
 
 // Of the samples that a lookup answered.
 double uncertainPercent(const MethodResult& result) {
@@ -45,7 +47,7 @@ double uncertainPercent(const MethodResult& result) {
 
 void printMaps(Renderer& renderer, const Sight& sight, glm::uvec2 size, unsigned runs,
                const std::string& scene) {
-  fmt::print("{:18} picture   texels  {}spsm/sm ids/sm  sdsm/sm store   pack    resolve uncertain\n", scene,
+  fmt::print("{:18} picture   texels  {}spsm/sm ids/sm  edges   sdsm/sm store   pack    resolve uncertain\n", scene,
              kHead);
   for (const int texels : {512, 1024, 2048, 4096}) {
     const auto results = resultsOf(renderer, jobAt(sight, size, methodsAt(texels), runs));
@@ -54,7 +56,7 @@ void printMaps(Renderer& renderer, const Sight& sight, glm::uvec2 size, unsigned
       fmt::print(" {:<7.4f}", wrongPercent(results[m]));
       if (m == 1) fmt::print(" {:<7.2f}", wrongPercent(results[0]) / wrongPercent(results[1]));
     }
-    for (const std::size_t m : {1, 2, 5})
+    for (const std::size_t m : {1, 2, 3, 7})
       fmt::print(" {:<7.2f}", results[m].ratio ? results[m].ratio->median : 0);
     for (const char* name : {"store", "pack", "resolve"})
       fmt::print(" {:<7.1f}", passOf(results[1], name).gpuMs.median);

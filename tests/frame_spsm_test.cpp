@@ -55,7 +55,8 @@ TEST_F(FrameSpsm, RebuiltEdgesMakeUpForTrianglesThatNoTexelHolds) {
   EXPECT_GT(w["rgsm,texels=1024,kernel=5"], 2 * edges);
 }
 
-// The paper's figure: 5.6 times fewer wrong pixels than a plain map has. Packed or whole, it is the same walk.
+// The paper's figure: 5.6 times fewer wrong pixels than a plain map has. Packed or whole, it is the same
+// walk.
 TEST_F(FrameSpsm, WalksFindThemWhereTheyAre) {
   auto w = wrong("knot", "main", "sun",
                  {"sm,texels=1024", "spsm,texels=1024", "spsm,texels=1024,storage=depth-id",
@@ -131,8 +132,9 @@ TEST_F(FrameSpsm, SmoothedEdgesAreNearerToWhatPixelsSee) {
   const Light light = lightOf(*scene, "sun");
   const Rendering places =
       render(jobOf(scene, view, light, kPlaces * size, {"ray-traced"}, {Aov::reference, Aov::id})).front();
-  const auto renderings = render(jobOf(scene, view, light, size, {"spsm,texels=1024,recovery=edges", "spsm-aa,texels=1024"},
-                                       {Aov::visibility, Aov::id}));
+  const auto renderings =
+      render(jobOf(scene, view, light, size, {"spsm,texels=1024,recovery=edges", "spsm-aa,texels=1024"},
+                   {Aov::visibility, Aov::id}));
   std::array<double, 2> error{};
   std::size_t mixed = 0;
   for (unsigned y = 0; y < size.y; ++y)

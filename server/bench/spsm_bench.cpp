@@ -47,8 +47,8 @@ double uncertainPercent(const MethodResult& result) {
 
 void printMaps(Renderer& renderer, const Sight& sight, glm::uvec2 size, unsigned runs,
                const std::string& scene) {
-  fmt::print("{:18} picture   texels  {}spsm/sm ids/sm  edges   sdsm/sm store   pack    resolve uncertain\n", scene,
-             kHead);
+  fmt::print("{:18} picture   texels  {}spsm/sm ids/sm  edges   sdsm/sm store   pack    resolve uncertain\n",
+             scene, kHead);
   for (const int texels : {512, 1024, 2048, 4096}) {
     const auto results = resultsOf(renderer, jobAt(sight, size, methodsAt(texels), runs));
     fmt::print("{:18} {:<9} {:<7}", scene, fmt::format("{}x{}", size.x, size.y), texels);

@@ -19,9 +19,9 @@ struct SceneEdges {
 // of different meshes are different edges.
 SceneEdges findEdges(const Scene&);
 
-// Three a triangle of the scene, of its edges from corner 0 to 1, from 1 to 2 and from 2 to 0: what lies across
-// the edge, by shared::adjacentSide(). Of several triangles about an edge it is the next one, in a circle;
-// across a rim a triangle meets itself. At most 2^29 triangles.
+// Three a triangle of the scene, of its edges from corner 0 to 1, from 1 to 2 and from 2 to 0: what lies
+// across the edge, by shared::adjacentSide(). Of several triangles about an edge it is the next one, in a
+// circle; across a rim a triangle meets itself. At most 2^29 triangles.
 std::vector<std::uint32_t> findAdjacent(const Scene&);
 
 }  // namespace sundial

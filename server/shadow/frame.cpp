@@ -45,7 +45,8 @@ Frame::Frame(const FrameView& view, const Method& method, MakeStore* make)
     : view_(view),
       method_(withRaster(method, view.device, view.scene.scene().instancedTriangles())),
       shadowViews_(method.row->technique == Technique::shadowVolumes ? 1 : shadowViewsOf(method)),
-      pipelines_(method.stages ? std::optional(view.pipelines.of(method_, view.scene.hasHoles())) : std::nullopt),
+      pipelines_(method.stages ? std::optional(view.pipelines.of(method_, view.scene.hasHoles()))
+                               : std::nullopt),
       constants_(view.device, sizeof(shared::FrameConstants), VK_BUFFER_USAGE_UNIFORM_BUFFER_BIT | kCopied,
                  MemoryUse::upload),
       analysis_(view.device, sizeof(shared::Analysis), kStorage),
@@ -399,7 +400,8 @@ void Frame::lookUp(VkCommandBuffer command, const ViewTarget& points, const Bind
 void Frame::recordClasses(VkCommandBuffer command) const {
   bindings_.bind(command);
   renderInto(command, {&view_.target.visibility}, nullptr, [&] {
-    vkCmdBindPipeline(command, VK_PIPELINE_BIND_POINT_GRAPHICS, view_.pipelines.classify(method_, view_.scene.hasHoles()));
+    vkCmdBindPipeline(command, VK_PIPELINE_BIND_POINT_GRAPHICS,
+                      view_.pipelines.classify(method_, view_.scene.hasHoles()));
     vkCmdDraw(command, 3, 1, 0, 0);
   });
 }

@@ -57,8 +57,8 @@ class FramePipelines {
  public:
   explicit FramePipelines(const Device&);
 
-  // Made when they are first asked for. A method with a map; one without has no pipelines of its own. `holes`:
-  // whether the scene is alpha-tested somewhere.
+  // Made when they are first asked for. A method with a map; one without has no pipelines of its own.
+  // `holes`: whether the scene is alpha-tested somewhere.
   MethodPipelines of(const Method&, bool holes = false);
   // How lookup=spsm answers, in the numbers of shared/choices.h, in the place of what it answers.
   VkPipeline classify(const Method&, bool holes);

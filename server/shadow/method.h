@@ -50,8 +50,8 @@ enum class Analysis { backward, forward, hybrid };
 enum class Raster { automatic, pipeline, compute };
 // Which partition answers: the one made for the sample's depth, or the tightest that contains it.
 enum class Choose { depth, tightest };
-// What becomes of samples that no triangle of the map decides: they are lit; the shadow's edge is rebuilt from
-// triangles' outlines, as the paper has it; or the mesh is followed from those triangles to the sample.
+// What becomes of samples that no triangle of the map decides: they are lit; the shadow's edge is rebuilt
+// from triangles' outlines, as the paper has it; or the mesh is followed from those triangles to the sample.
 enum class Recovery { off, edges, walk };
 
 // A row with its parameters settled: what a frame is rendered with. Made by chooseMethod() alone.

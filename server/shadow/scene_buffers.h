@@ -21,7 +21,7 @@ class SceneBuffers {
   std::span<const shared::Draw> draws() const { return drawList_; }                     // sorted by bucket
   const std::array<glm::uvec2, shared::kBuckets>& buckets() const { return buckets_; }  // first chunk, chunks
   bool plainColours() const { return plainColours_; }  // no textures, all vertex colours white
-  bool hasHoles() const;  // alpha-tested triangles
+  bool hasHoles() const;                               // alpha-tested triangles
   VkDeviceSize bytes() const;
 
   // Places the instances relative to this origin, if they aren't yet.

@@ -29,8 +29,8 @@ struct Triangle {
   uint material;
 };
 
-// What lies across a triangle's edge: a triangle, which of its edges that is, and whether it runs the same way
-// in both triangles, as it doesn't where they agree which side is the front.
+// What lies across a triangle's edge: a triangle, which of its edges that is, and whether it runs the same
+// way in both triangles, as it doesn't where they agree which side is the front.
 SUNDIAL_FUNCTION uint adjacentSide(uint triangle, uint edge, bool sameWay) {
   return triangle << 3 | (sameWay ? 4u : 0u) | edge;
 }

@@ -26,8 +26,7 @@ SUNDIAL_FUNCTION float insideAtLeast(vec2 a, vec2 b, vec2 at, float turn, vec2 m
 
 // Whether it contains the point wherever its corners are within `margin` of where they are said to be.
 SUNDIAL_FUNCTION bool containsPoint(TexelTriangle t, vec2 at, vec2 margin) {
-  const float turn =
-      cross2(t.corners[1] - t.corners[0], t.corners[2] - t.corners[0]) >= 0.0f ? 1.0f : -1.0f;
+  const float turn = cross2(t.corners[1] - t.corners[0], t.corners[2] - t.corners[0]) >= 0.0f ? 1.0f : -1.0f;
   return insideAtLeast(t.corners[0], t.corners[1], at, turn, margin) >= 0.0f &&
          insideAtLeast(t.corners[1], t.corners[2], at, turn, margin) >= 0.0f &&
          insideAtLeast(t.corners[2], t.corners[0], at, turn, margin) >= 0.0f;

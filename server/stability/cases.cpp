@@ -60,6 +60,28 @@ std::span<const StabilityCase> stabilityCases() {
                     .methods = "ferko,texels=512 sm,texels=512",
                     .measure = "pop",
                     .failsAbove = 0.005},
+      StabilityCase{.name = "msf-pan",
+                    .sentence =
+                        "The same pan: the frustum around what the camera could see turns with it in every "
+                        "frame, and edges shimmer.",
+                    .scene = "builtin:atrium",
+                    .path = "pan",
+                    .light = "sun",
+                    .methods = "msf,texels=512 sm,texels=512",
+                    .measure = "flip_rate",
+                    .failsAbove = 0.002,
+                    .frames = 12},
+      StabilityCase{.name = "ferko-pan",
+                    .sentence =
+                        "The same pan: the map's box and its resolution follow the samples, and edges "
+                        "shimmer.",
+                    .scene = "builtin:atrium",
+                    .path = "pan",
+                    .light = "sun",
+                    .methods = "ferko,texels=512 sm,texels=512",
+                    .measure = "flip_rate",
+                    .failsAbove = 0.002,
+                    .frames = 12},
       StabilityCase{.name = "rtw-pan",
                     .sentence = "A slow pan: what is important moves a little in every frame, so the warp "
                                 "does, and edges shimmer.",

@@ -1,15 +1,11 @@
 #version 460
 #extension GL_GOOGLE_include_directive : require
 // The boxes of the view samples in light space, one a segment [Lauritzen et al. 2011, section 3.3], how many samples each
-// has, how important they are [Alecu 2014, section 3.3], and how small their pixels [Ferko 2013, section 3.2]. A thread's pixels mostly lie in one segment: it hands over
-// what it has when the segment changes.
+// has, how important they are [Alecu 2014, section 3.3], and how small their smallest pixel [Ferko 2013, section 3.2]. A thread's
+// pixels mostly lie in one segment: it hands over what it has when the segment changes.
 #include "analyze.glsl"
-#include "pixel_size.glsl"
-#include "segments.glsl"
-#include "size_bins.glsl"
-#include "tiles.glsl"
+#include "sample_segment.glsl"
 
-layout(constant_id = 0) const uint kSegments = kSegmentAll;
 layout(constant_id = 1) const uint kSizes = kSizesFixed;
 
 struct Found {
@@ -39,24 +35,6 @@ uint importanceOf(float depth) {
   return uint((1 + frame.settings.importanceGain * nearness) * frame.settings.importanceUnit + 0.5);
 }
 
-// False where no segment has the sample.
-bool segmentOf(ViewSample s, vec4 light, out uint segment) {
-  segment = 0;
-  if (kSegments == kSegmentTile) {
-    const Square square = inscribedSquare();
-    return tileAt(light.xy / light.w, square.corner, square.side / float(frame.settings.tilesPerSide), frame.settings.tilesPerSide,
-                  segment);
-  }
-  if (kSegments == kSegmentFace) segment = faceOf(light);
-  else if (kSegments != kSegmentAll) segment = partitionOf(viewDepth(s.wsPosition, kSegments == kSegmentRadius));
-  return true;
-}
-
-void countPixel(uint segment, vec2 size) {
-  for (uint axis = 0; axis < 2; ++axis)
-    atomicAdd(analysis.pixelHistogram[(2 * segment + axis) * kSizeBins + binOfSize(size[axis])], 1);
-}
-
 // Whether the sample lies in the last part of its partition's depth, which fades into the next.
 bool fades(ViewSample s, uint segment) {
   if (kSegments != kSegmentDepth && kSegments != kSegmentRadius) return false;
@@ -68,6 +46,7 @@ bool fades(ViewSample s, uint segment) {
 void main() {
   uint current = 0;
   Found found = kNothing;
+  LightRays rays = raysOf(0);
   for (uint i = 0; i < kSamplesPerInvocation; ++i) {
     const uint pixel = firstPixel() + i * kSampleGroup;
     if (pixel >= pixelCount()) break;
@@ -88,12 +67,9 @@ void main() {
     ++found.samples;
     // A sample that fades into the next partition must find itself there too.
     if (fades(s, segment)) handOver(segment + 1, Found(ls, ls, 0, 0, vec2(1e38)));
-    if (kSizes != kSizesFixed) {
-      const mat4 axes = kSegments == kSegmentFace ? faceFromWorld(segment, frame.faceTurn[segment], frame.lightFromWorld)
-                                                  : frame.lightFromWorld;
-      const vec2 size = pixelSize(ivec2(pixel % frame.imageSize.x, pixel / frame.imageSize.x), axes);
-      if (kSizes == kSizesPercentile) countPixel(segment, size);
-      else found.pixel = min(found.pixel, size);
+    if (kSizes == kSizesSmallest) {
+      if (kSegments == kSegmentFace) rays = raysOf(segment);
+      found.pixel = min(found.pixel, pixelSize(ivec2(pixel % frame.imageSize.x, pixel / frame.imageSize.x), rays));
     }
     if (kSegments == kSegmentTile) found.importance += importanceOf(viewDepth(s.wsPosition, false));
   }

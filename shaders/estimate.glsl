@@ -13,7 +13,9 @@ const uint kLeastTexels = 16;
 // The size that `smallerShare` of the segment's pixels stay below; between a bin's ends, as if they were spread evenly.
 float percentileOf(uint segment, uint axis) {
   const uint first = (2 * segment + axis) * kSizeBins;
-  const float wanted = frame.settings.smallerShare * float(analysis.sampleCount[segment]);
+  uint counted = 0;
+  for (uint bin = 0; bin < kSizeBins; ++bin) counted += analysis.pixelHistogram[first + bin];
+  const float wanted = frame.settings.smallerShare * float(counted);
   float before = 0;
   for (uint bin = 0; bin < kSizeBins; ++bin) {
     const float here = float(analysis.pixelHistogram[first + bin]);
@@ -29,13 +31,14 @@ vec2 wantedTexel(uint segment) {
   return vec2(floatFromOrdered(analysis.lsPixelMin[2 * segment]), floatFromOrdered(analysis.lsPixelMin[2 * segment + 1]));
 }
 
-// Of a map around this box, and so many more at its rims; at most the common size.
-uvec2 texelsFor(uint segment, LightBox box, float rims) {
+// Of a map around this box, a part of `all` of the scene, and so many more at its rims; at most the common size.
+uvec2 texelsFor(uint segment, LightBox box, LightBox all, float rims) {
   if (kSizes == kSizesFixed) return frame.settings.mapSize;
   if (analysis.sampleCount[segment] == 0) return min(uvec2(kLeastTexels), frame.settings.mapSize);
-  const vec2 wanted = (box.high.xy - box.low.xy) / max(wantedTexel(segment), vec2(1e-30)) + rims;
-  // Rounding mustn't cost a whole texel.
   const vec2 most = vec2(frame.settings.mapSize);
+  const vec2 finest = frame.settings.finestTexel * (all.high.xy - all.low.xy) / max(most - rims, vec2(1));
+  const vec2 wanted = (box.high.xy - box.low.xy) / max(max(wantedTexel(segment), finest), vec2(1e-30)) + rims;
+  // Rounding mustn't cost a whole texel.
   return uvec2(clamp(ceil(wanted - 1e-3), min(vec2(kLeastTexels), most), most));
 }
 

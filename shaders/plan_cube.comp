@@ -9,8 +9,10 @@ layout(local_size_x = kCubeFaces) in;
 
 layout(constant_id = 0) const uint kBox = kOnlyScene;
 
+LightBox wholeFace(uint face) { return LightBox(frame.lsFaceMin[face], frame.lsFaceMax[face]); }
+
 LightBox faceBox(uint face) {
-  const LightBox all = LightBox(frame.lsFaceMin[face], frame.lsFaceMax[face]);
+  const LightBox all = wholeFace(face);
   if (kBox != kOnlySamples) return all;
   LightBox box = sampleBox(face);
   if (!isEmpty(box)) box.high.z = max(box.high.z, all.high.z);  // as withCasters()
@@ -20,7 +22,7 @@ LightBox faceBox(uint face) {
 void planFace(uint face, mat4 lightFromWorld) {
   LightBox box = faceBox(face);
   const float border = 1 + frame.settings.rimTexels;
-  const uvec2 texels = texelsFor(face, box, 2 * border);
+  const uvec2 texels = texelsFor(face, box, wholeFace(face), 2 * border);
   // At least half of the smallest map is the face's own.
   if (!isEmpty(box)) box = withExtent(withBorder(box, texels, min(border, 0.25 * float(min(texels.x, texels.y)))));
   placeMap(face);

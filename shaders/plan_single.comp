@@ -23,7 +23,7 @@ LightBox only() {
 void main() {
   const bool samples = kBox == kOnlySamples;
   LightBox box = only();
-  const uvec2 texels = texelsFor(0, box, 2);
+  const uvec2 texels = texelsFor(0, box, sceneBox(), 2);
   if (!isEmpty(box)) box = withExtent(withBorder(box, texels));
   const mat4 lightFromWorld = samples ? analysis.lightFromWorld : frame.lightFromWorld;
   writePlan(1, lightFromWorld);

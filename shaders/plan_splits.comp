@@ -50,7 +50,7 @@ void planView(uint view, mat4 lightFromWorld) {
   // The first partition begins at the camera, whatever the formula's near depth is.
   LightBox box = kFit == kFitLoose ? sliceBox(view == 0 ? frame.nearDistance : depthBegin, depthEnd) : sampleBox(view);
   if (!isEmpty(box)) box = withCasters(box);
-  const uvec2 texels = texelsFor(view, box, 2);
+  const uvec2 texels = texelsFor(view, box, sceneBox(), 2);
   if (!isEmpty(box)) box = kFit == kFitSnapped ? snapped(withExtent(box), texels) : withExtent(withBorder(box, texels));
   placeMap(view);
   writeView(view, box, lightFromWorld, texels);

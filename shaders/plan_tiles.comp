@@ -94,7 +94,7 @@ void main() {
     plan.lsTileSide = square.side / float(tilesPerSide);
   }
   if (used && kSizes == kSizesFixed) mapTexels[tile] = uvec2(frame.settings.tileTexels[view]);
-  if (used && kSizes != kSizesFixed) mapTexels[tile] = texelsFor(tile, boxOf(tile), kFit == kTileBox ? 2 : 0);
+  if (used && kSizes != kSizesFixed) mapTexels[tile] = texelsFor(tile, boxOf(tile), sceneBox(), kFit == kTileBox ? 2 : 0);
   barrier();
   if (kSizes != kSizesFixed && tile == 0) shareOut(tiles);
   barrier();

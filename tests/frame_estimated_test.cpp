@@ -52,7 +52,7 @@ Spans spansOf(const PlanView& plan, const View& view, const glm::uvec2& size) {
     for (unsigned x = 0; x < size.x; ++x) {
       dvec2 low(1e9), high(-1e9);
       for (int corner = 0; corner < 4; ++corner) {
-        const dvec2 p = project(x + corner % 2, y + corner / 2);
+        const dvec2 p = project(x + corner % 2, y + (corner >> 1));
         low = glm::min(low, p);
         high = glm::max(high, p);
       }
@@ -111,6 +111,31 @@ TEST_F(FrameEstimated, TheCapHoldsAndUnderItMemoryShrinks) {
   EXPECT_EQ(gpu.result.allocatedBytes, 4u * 1024 * 1024);
   EXPECT_EQ(readback.result.storeBytes, gpu.result.storeBytes);
   EXPECT_EQ(readback.result.allocatedBytes, readback.result.storeBytes);
+}
+
+// Than a texel of the fixed map, or half of one: the larger of that and of what the pixels ask for.
+TEST_F(FrameEstimated, NothingIsFinerThanItMayBe) {
+  const auto atrium = builtin("atrium"), observatory = builtin("observatory");
+  for (const auto& [scene, light] : {std::pair(atrium, "sun"), {atrium, "spot"}, {observatory, "lamp"}}) {
+    const auto of = [&](std::string_view method) {
+      return render(scene, viewOf(*scene, "main"), lightOf(*scene, light), {400, 300}, method);
+    };
+    const Rendering fixed = of("sm,texels=512"), free = of("ferko,texels=512");
+    for (const double finest : {1.0, 0.5}) {
+      const Rendering r = of(fmt::format("ferko,texels=512,finest={}", finest));
+      for (std::size_t v = 0; v < r.plan.size(); ++v) {
+        const shared::ShadowView& view = r.plan[v].gpu;
+        if (view.sampleCount == 0) continue;
+        SCOPED_TRACE(fmt::format("{} {} view {}", light, finest, v));
+        for (const int axis : {0, 1}) {
+          const double wanted =
+              std::max(finest * fixed.plan[v].gpu.texelSize[axis], double(free.plan[v].gpu.texelSize[axis]));
+          EXPECT_GT(view.texelSize[axis], 0.99 * wanted);
+          EXPECT_LT(view.texelSize[axis], 1.1 * wanted);  // whole texels, of which there are few
+        }
+      }
+    }
+  }
 }
 
 // Rectangles of an image, or ranges of a buffer, that nothing else has.

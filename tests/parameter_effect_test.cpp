@@ -34,6 +34,7 @@ constexpr std::array kEffects = {
     Effect{"anisotropy", "evsm,texels=256", "evsm,texels=256,anisotropy=1"},
     Effect{"near", "pssm,texels=256,lambda=1", "pssm,texels=256,lambda=1,near=5"},
     Effect{"percentile", "ferko,texels=2048", "ferko,texels=2048,percentile=20"},
+    Effect{"finest", "ferko,texels=2048,percentile=5", "ferko,texels=2048,percentile=5,finest=1"},
     Effect{"window", "notw,texels=256", "notw,texels=256,window=4"},
     Effect{"even", "notw,texels=256", "notw,texels=256,even=0.6"},
     Effect{"power", "notw,texels=256", "notw,texels=256,power=1"},

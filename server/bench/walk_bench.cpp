@@ -1,10 +1,12 @@
-// sundial-bench-walk [FRAMES [PERCENTILE]]: estimated resolution along the walk through `atrium`, at most
-// 4096 x 4096 texels, with the paper's minimum and with a percentile, against a fixed map of 4096 x 4096
-// [Ferko 2013, figures 3 and 4]. Prints a line a frame and the medians; writes walk-size.svg and
-// walk-time.svg into the working folder.
+// sundial-bench-walk [FRAMES [RUNS [METHOD...]]]: estimated resolution along the walk through `atrium`, at
+// most 4096 x 4096 texels, against a fixed map of 4096 x 4096 [Ferko 2013, figures 3 and 4]. RUNS: timed
+// frames of each method, 0 for no times; METHOD: by default the paper's minimum, percentiles, and texels no
+// finer than they need be. Prints a line a frame and the medians; writes walk-size.svg and walk-time.svg into
+// the working folder.
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <fstream>
 
 #include "bench/program.h"
@@ -17,7 +19,8 @@ namespace sundial::bench {
 namespace {
 
 constexpr std::string_view kFixed = "sm,texels=4096";
-constexpr unsigned kRuns = 3;
+const std::vector<std::string> kMethods = {"ferko", "ferko,percentile=0.5", "ferko,percentile=1",
+                                           "ferko,finest=0.95"};
 
 // What a method did in one frame of the walk.
 struct Step {
@@ -29,8 +32,8 @@ using Steps = std::vector<Step>;  // a method each
 Steps stepsOf(const std::vector<MethodResult>& results) {
   Steps steps;
   for (const MethodResult& result : results)
-    steps.push_back({result.plan.front().gpu.rectSize, result.frameMs.median, result.ratio->median,
-                     wrongPercent(result)});
+    steps.push_back({result.plan.front().gpu.rectSize, result.frameMs.median,
+                     result.ratio ? result.ratio->median : 0, wrongPercent(result)});
   return steps;
 }
 
@@ -81,55 +84,51 @@ std::vector<double> column(const std::vector<Steps>& walk, std::size_t method, d
   return out;
 }
 
-void writeCharts(const std::vector<Steps>& walk, const std::string& percentile) {
-  const auto series = [&](std::size_t method, std::string name, std::string colour,
-                          double (*value)(const Step&)) {
-    return Series{std::move(name), std::move(colour), column(walk, method, value)};
-  };
-  constexpr auto width = [](const Step& s) { return double(s.texels.x); };
-  constexpr auto height = [](const Step& s) { return double(s.texels.y); };
-  constexpr auto ms = [](const Step& s) { return s.ms; };
-  writeChart("walk-size.svg", "Texels of the chosen map",
-             {series(1, "minimum, width", "#b00", width), series(1, "minimum, height", "#e88", height),
-              series(2, percentile + " %, width", "#05a", width),
-              series(2, percentile + " %, height", "#7be", height)});
-  writeChart("walk-time.svg", "Milliseconds per frame",
-             {series(0, "fixed 4096", "#888", ms), series(1, "minimum", "#b00", ms),
-              series(2, percentile + " %", "#05a", ms)});
+void writeCharts(const std::vector<Steps>& walk, const std::vector<Method>& methods) {
+  constexpr std::string_view kColours[] = {"#888", "#b00", "#05a", "#084", "#a60", "#60a"};
+  std::vector<Series> sizes, times;
+  for (std::size_t m = 0; m < methods.size(); ++m) {
+    const std::string name = methods[m].label(), colour(kColours[m % std::size(kColours)]);
+    times.push_back({name, colour, column(walk, m, [](const Step& s) { return s.ms; })});
+    if (m == 0) continue;
+    const auto side = [&](double (*of)(const Step&)) { return Series{name, colour, column(walk, m, of)}; };
+    sizes.push_back(side([](const Step& s) { return std::sqrt(double(s.texels.x) * s.texels.y); }));
+  }
+  writeChart("walk-size.svg", "Texels of the chosen map, the root of their number", sizes);
+  writeChart("walk-time.svg", "Milliseconds per frame", times);
 }
 
-void walk(unsigned frames, const std::string& percentile) {
+void walk(unsigned frames, unsigned runs, std::vector<std::string> methods) {
   const auto renderer = need(Renderer::create("", false));
   const Sight sight = sightOf({"builtin:atrium", "", "spot"});
-  const std::string ferko = "ferko,percentile=" + percentile;
-  RenderJob job = jobAt(sight, {1024, 1024}, {std::string(kFixed), "ferko", ferko}, kRuns);
+  methods.insert(methods.begin(), std::string(kFixed));
+  RenderJob job = jobAt(sight, {1024, 1024}, methods, runs);
   std::vector<Steps> all;
   const NamedPath path = need(choosePath(*sight.scene, "walk"));
-  fmt::print(
-      "frame  {} ms, wrong %   minimum: texels, ms, ratio, wrong %   {} %: texels, ms, ratio, wrong %\n",
-      kFixed, percentile);
+  fmt::print("Of each frame and method: texels, ms, ratio to {}, wrong pixels in %\n", kFixed);
   for (const View& view : need(viewsAlong(path.keys, frames))) {
     job.view = view;
-    const Steps& s = all.emplace_back(stepsOf(resultsOf(*renderer, job)));
-    fmt::print("{:5}  {:6.1f} {:.4f}", all.size() - 1, s[0].ms, s[0].wrong);
-    for (const Step& step : {s[1], s[2]})
+    const Steps& steps = all.emplace_back(stepsOf(resultsOf(*renderer, job)));
+    fmt::print("{:5}", all.size() - 1);
+    for (const Step& step : steps)
       fmt::print("   {:4}x{:4} {:6.1f} {:.2f} {:.4f}", step.texels.x, step.texels.y, step.ms, step.ratio,
                  step.wrong);
     fmt::print("\n");
     std::fflush(stdout);
   }
-  for (std::size_t method = 0; method < 3; ++method)
-    fmt::print("{:22} median frame {:.2f} of the fixed map's, median of wrong pixels {:.4f} %\n",
-               job.methods[method].label(), median(all, method, [](const Step& s) { return s.ratio; }),
-               median(all, method, [](const Step& s) { return s.wrong; }));
-  writeCharts(all, percentile);
+  for (std::size_t m = 0; m < methods.size(); ++m)
+    fmt::print("{:26} median of frames: {:.2f} of the fixed map's time, {:.4f} % wrong\n", methods[m],
+               median(all, m, [](const Step& s) { return s.ratio; }),
+               median(all, m, [](const Step& s) { return s.wrong; }));
+  if (runs > 0) writeCharts(all, job.methods);
 }
 
 int run(const Arguments& arguments) {
   const auto frames = arguments.empty() ? std::optional(24u) : countOf(arguments[0]);
-  if (frames.value_or(0) < 2 || arguments.size() > 2)
-    throw WrongArguments("give [FRAMES [PERCENTILE]], at least 2 frames");
-  walk(*frames, arguments.size() > 1 ? arguments[1] : "1");
+  const auto runs = arguments.size() < 2 ? std::optional(3u) : countOf(arguments[1]);
+  if (frames.value_or(0) < 2 || !runs)
+    throw WrongArguments("give [FRAMES [RUNS [METHOD...]]], at least 2 frames; RUNS 0 for no times");
+  walk(*frames, *runs, arguments.size() < 3 ? kMethods : Arguments(arguments.begin() + 2, arguments.end()));
   return 0;
 }
 

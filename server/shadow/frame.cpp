@@ -256,6 +256,8 @@ void Frame::analyze(VkCommandBuffer command) const {
   if (tiles && !method_.settings.extent) dispatch(command, pipelines_->analyzeSquare, samples);
   if (asksSamples(stages) && (tiles || estimated || stages.focus != Focus::loose))
     dispatch(command, pipelines_->analyzeSegments, samples);
+  if (estimated && method_.settings.percentile > 0)
+    dispatch(command, pipelines_->analyzeSizes, groups(samples, shared::kPixelsPerMeasured));
   if (tiles && stages.focus == Focus::loose)
     dispatch(command, pipelines_->analyzeCasters, groups(view_.scene.drawCount(), 64));
 }

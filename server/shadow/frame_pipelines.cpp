@@ -243,6 +243,8 @@ MethodPipelines FramePipelines::of(const Method& method, bool holes) {
   }
   if (asksNearness(method)) made.analyzeDepths = compute("analyze_depths.comp", {false, false});
   if (samples) made.analyzeSegments = compute("analyze_segments.comp", segmentsConstants(method));
+  if (sizesOf(method) == shared::kSizesPercentile)
+    made.analyzeSizes = compute("analyze_sizes.comp", segmentsConstants(method));
   if (stages.partition == Partition::tiles) {
     if (!method.settings.extent) made.analyzeSquare = compute("analyze_square.comp", {});
     if (stages.focus == Focus::loose) made.analyzeCasters = compute("analyze_casters.comp", {});

@@ -22,6 +22,7 @@ struct MethodPipelines {
   VkPipeline analyzeSquare = VK_NULL_HANDLE;
   VkPipeline analyzeDepths = VK_NULL_HANDLE, analyzeSplits = VK_NULL_HANDLE;
   VkPipeline analyzeSegments = VK_NULL_HANDLE, analyzeCasters = VK_NULL_HANDLE;
+  VkPipeline analyzeSizes = VK_NULL_HANDLE;  // a percentile of the pixels' sizes alone
   // storage=moments alone.
   VkPipeline moments = VK_NULL_HANDLE, blurAcross = VK_NULL_HANDLE, blurDown = VK_NULL_HANDLE;
 };

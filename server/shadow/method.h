@@ -69,6 +69,7 @@ struct Method {
     Analysis analysis = Analysis::backward;
     std::vector<double> weights;  // warp=rectilinear: in the order of shared/plan.h
     double percentile = 0;        // resolution=estimated, of the pixels' sizes, in [0, 50]
+    double finest = 0;            // the smallest texel over one of a map of the whole scene, in [0, 1]
     PlanTiming plan = PlanTiming::gpu;
     Raster raster = Raster::automatic;
     unsigned partitions = 1;     // along the camera's depth

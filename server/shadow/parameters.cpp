@@ -58,6 +58,21 @@ const std::vector<Rule>& rules() {
             "pixel of a grazing surface decides; with resolution=estimated"},
        [](const Stages& s) { return s.resolution == Resolution::estimated; },
        [](const std::string& text, Method::Settings& s) { s.percentile = numberIn(text); }},
+      {{.name = "finest",
+        .kind = Kind::number,
+        .unit = "1",
+        .min = 0,
+        .max = 1,
+        .defaultValue = "0",
+        .description =
+            "the smallest texel, over one of a map of the whole scene with as many texels; 1: nothing is "
+            "finer "
+            "than there, so that what a fitted map leaves out is saved; 0: as fine as the pixels ask; with "
+            "resolution=estimated"},
+       [](const Stages& s) {
+         return s.resolution == Resolution::estimated && s.partition != Partition::tiles;
+       },
+       [](const std::string& text, Method::Settings& s) { s.finest = numberIn(text); }},
       {{.name = "window",
         .kind = Kind::number,
         .unit = "texels",

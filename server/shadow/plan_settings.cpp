@@ -191,6 +191,7 @@ void settle(shared::FrameConstants& c, const Method& method, const dvec3& origin
   to.warpPower = static_cast<float>(from.power);
   if (stages.warp == Warp::rectilinear) std::ranges::copy(from.weights, to.warpWeights);
   to.smallerShare = static_cast<float>(from.percentile / 100);
+  to.finestTexel = static_cast<float>(from.finest);
   to.viewport = c.storeSize;
   if (stages.partition != Partition::tiles) return;
   to.tilesPerSide = static_cast<std::uint32_t>(std::lround(std::sqrt(static_cast<double>(views))));

@@ -83,9 +83,11 @@ struct PlanSettings {
   float lsFar;
   float lsReach;
   float rimTexels;  // about a map, where lookups would look beyond it
-  // resolution=estimated: the share of samples whose pixels may be smaller than a texel, and the size of the
-  // picture that a view's map is drawn as a part of, texels.
+  // resolution=estimated: the share of samples whose pixels may be smaller than a texel; the smallest texel,
+  // over one of a map of the whole scene with as many; and the size of the picture that a view's map is drawn
+  // as a part of, texels.
   float smallerShare;
+  float finestTexel;
   uvec2 viewport;
   // The warp: over how many texels importance is smoothed, or how many rows share a function; how much of a
   // function is spread evenly; the power of importance that the rest follows; and what counts how much for a
@@ -124,7 +126,8 @@ struct Analysis {
   uint sampleCount[kMaxShadowViews];
   uint importance[kMaxShadowViews];
   uint depthHistogram[kDepthBins];  // samples, over the logarithm of depth from depthNear to depthFar
-  uint pixelHistogram[2 * kMaxShadowViews * kSizeBins];  // samples, over their pixels' width, then height
+  uint pixelHistogram[2 * kMaxShadowViews *
+                      kSizeBins];  // samples that are counted, over their pixels' width, then height
 };
 
 SUNDIAL_SHARED_END

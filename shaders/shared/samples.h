@@ -7,6 +7,7 @@ SUNDIAL_SHARED_BEGIN
 
 SUNDIAL_CONST kSampleGroup = 64u;           // invocations of a workgroup
 SUNDIAL_CONST kSamplesPerInvocation = 16u;  // a workgroup apart
+SUNDIAL_CONST kPixelsPerMeasured = 4u;      // of a percentile of the pixels' sizes
 
 SUNDIAL_SHARED_END
 #endif

@@ -103,17 +103,23 @@ TEST_F(FrameWarp, TheWidestWindowIsRectilinear) {
   EXPECT_GT(differs(narrow), 5);
 }
 
-TEST_F(FrameWarp, SamplesSpreadOverTheTexels) {
+TEST_F(FrameWarp, SamplesSpreadOverTheTexelsAndFewerPixelsAreWrong) {
   for (const Place& p : kPlaces) {
     const auto scene = builtin(p.scene);
-    const auto of = [&](std::string_view text) {
-      return warp(scene, viewOf(*scene, p.view), lightOf(*scene, p.light), {1024, 1024}, text);
+    const View view = viewOf(*scene, p.view);
+    const Light light = lightOf(*scene, p.light);
+    const auto spread = [&](std::string_view text) {
+      const Warped w = warp(scene, view, light, {1024, 1024}, text);
+      return bench::variation(countsAfter(w)) / bench::variation(countsBefore(w));
     };
-    const Warped w = of("notw,texels=256,power=1,even=0.05,window=5"), mild = of("notw,texels=256");
-    const double before = bench::variation(countsBefore(w)), after = bench::variation(countsAfter(w));
-    const double afterMild = bench::variation(countsAfter(mild));
-    EXPECT_LT(after, before / 3) << p.scene;
-    EXPECT_LT(afterMild, 0.7 * before) << p.scene;
+    constexpr std::string_view kEven = "notw,texels=256,power=0.8,even=0.1,window=10";
+    EXPECT_LT(spread(kEven), 1.0 / 3) << p.scene;
+    EXPECT_LT(spread("notw,texels=256"), 0.7) << p.scene;
+    const auto found =
+        render(jobOf(scene, view, light, {1024, 1024}, {kEven, "rtw,texels=256", "sm,texels=256"}, {}, true));
+    const auto match = [&](std::size_t m) { return found[m].result.measures->pixelMatch; };
+    EXPECT_GT(match(0), match(1)) << p.scene;
+    EXPECT_GT(match(1), match(2)) << p.scene;
   }
 }
 

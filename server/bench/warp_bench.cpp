@@ -20,7 +20,7 @@ namespace sundial::bench {
 namespace {
 
 constexpr glm::uvec2 kPicture{1024, 1024};
-constexpr std::string_view kTexels = ",texels=512";
+constexpr int kTexels = 512;
 
 const std::vector<Place> kTimed = {
     {"builtin:observatory", "", "spot"}, {"builtin:conference", "", "spot"}, {"builtin:atrium", "", "sun"}};
@@ -44,15 +44,17 @@ const std::vector<Place> kSpread = {{"builtin:atrium", "", "sun"},
                                     {"builtin:observatory", "", "spot"},
                                     {"builtin:conference", "", "spot"},
                                     {"builtin:trees?count=40", "walk", "low"}};
-const std::vector<std::string> kSpreadMethods = {"notw",
+const std::vector<std::string> kSpreadMethods = {"rtw",
+                                                 "notw",
                                                  "notw,window=32",
                                                  "notw,window=5",
                                                  "notw,power=1",
+                                                 "notw,power=0.8,even=0.1,window=10",
                                                  "notw,power=1,even=0.05,window=32",
                                                  "notw,power=1,even=0.05,window=5"};
 
-std::vector<std::string> withTexels(std::vector<std::string> methods) {
-  for (std::string& method : methods) method += kTexels;
+std::vector<std::string> withTexels(std::vector<std::string> methods, int texels = kTexels) {
+  for (std::string& method : methods) method += fmt::format(",texels={}", texels);
   return methods;
 }
 
@@ -110,15 +112,17 @@ void printWrong(Renderer& renderer, const std::vector<std::string>& files) {
 }
 
 // A method's variation of samples per texel after its warp over that before, and its wrong pixels.
-void printSpread(Renderer& renderer) {
-  fmt::print("Variation of samples per texel after the warp over that before; wrong pixels, %\n\n");
+void printSpread(Renderer& renderer, int texels) {
+  fmt::print(
+      "{0} x {0} texels: variation of samples per texel after the warp over that before; wrong pixels, %\n\n",
+      texels);
   const auto device = need(Device::create("", false));
   FramePipelines pipelines(*device);
   std::vector<std::string> columns, cells(kSpreadMethods.size());
   for (const Place& place : kSpread) {
     const Sight sight = sightOf(place);
     const FrameScene scene(*device, pipelines, sight, kPicture);
-    const auto results = resultsOf(renderer, jobAt(sight, kPicture, withTexels(kSpreadMethods), 0));
+    const auto results = resultsOf(renderer, jobAt(sight, kPicture, withTexels(kSpreadMethods, texels), 0));
     for (std::size_t m = 0; m < results.size(); ++m) {
       const Warped warped = warpedOf(scene, results[m].method).front();
       cells[m] +=
@@ -132,6 +136,7 @@ void printSpread(Renderer& renderer) {
     fmt::print("| {:34} |{}", fmt::format("`{}`", kSpreadMethods[m]), cells[m]);
     endRow();
   }
+  fmt::print("\n");
 }
 
 int run(const Arguments& arguments) {
@@ -150,7 +155,7 @@ int run(const Arguments& arguments) {
   if (*runs > 0) printTimes(*renderer, *runs);
   const std::span files = rest.empty() ? rest : rest.subspan(1);
   printWrong(*renderer, {files.begin(), files.end()});
-  printSpread(*renderer);
+  for (const int texels : {256, kTexels}) printSpread(*renderer, texels);
   return 0;
 }
 

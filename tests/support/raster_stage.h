@@ -54,6 +54,8 @@ class RasterStage {
     scene.moveTo(device_, glm::dvec3(0));
 
     constexpr VkBufferUsageFlags kStorage = VK_BUFFER_USAGE_STORAGE_BUFFER_BIT;
+    constexpr VkBufferUsageFlags kTexels =
+        VK_BUFFER_USAGE_UNIFORM_TEXEL_BUFFER_BIT | VK_BUFFER_USAGE_STORAGE_TEXEL_BUFFER_BIT;
     shared::FrameConstants constants{};
     constants.drawCount = scene.drawCount();
     for (std::uint32_t b = 0; b < shared::kBuckets; ++b) constants.drawBuckets[b] = scene.buckets()[b];
@@ -83,10 +85,8 @@ class RasterStage {
       }
 
     const std::uint32_t bytes = choice.ids ? 8 : 4;
-    const TexelBuffer linear(
-        device_,
-        Buffer(device_, VkDeviceSize{texels} * bytes, kStorage | VK_BUFFER_USAGE_UNIFORM_TEXEL_BUFFER_BIT),
-        bytes == 4 ? VK_FORMAT_R32_UINT : VK_FORMAT_R32G32_UINT, bytes);
+    const TexelBuffer linear(device_, Buffer(device_, VkDeviceSize{texels} * bytes, kStorage | kTexels),
+                             bytes == 4 ? VK_FORMAT_R32_UINT : VK_FORMAT_R32G32_UINT, bytes);
     const Buffer frameBuffer =
         uploaded(device_, &constants, sizeof constants, VK_BUFFER_USAGE_UNIFORM_BUFFER_BIT);
     const Buffer planBuffer = uploaded(device_, &plan, sizeof plan, kStorage);
@@ -101,7 +101,7 @@ class RasterStage {
     for (std::uint32_t b = 1; b < shared::kBindCount; ++b) {
       if (b < shared::kStorageBindings)
         bindings.set(b, planBuffer);
-      else if (b < shared::kTexelBindings)
+      else if (b < shared::kStorageTexelBindings)
         bindings.set(b, linear);
       else
         bindings.set(b, target.visibility, nearest);

@@ -3,8 +3,9 @@
 // lookup=spsm, recovery=walk: sub-pixel shadow maps [Lecocq et al. 2014] in which samples that no stored triangle decides
 // are decided by the mesh. The paper rebuilds the shadow's edge from the outlines of the nine triangles about the sample;
 // where triangles are smaller than texels the true occluder is mostly none of them, but a neighbour of one. So each of
-// them that is before the receiver begins a walk over its mesh to the sample (surface_walk.glsl), and a sample that none
-// arrives over is lit. Beyond the map it needs what lies across each triangle's edges, 12 bytes a triangle of the scene,
+// them that is before the receiver begins a walk over its mesh to the sample (surface_walk.glsl). A sample that none arrives
+// over is in a gap of what is nearest to the light: lit, unless it is so far from all light that a surface that no texel
+// holds, under that one, is likelier than a ray through both. Beyond the map it needs what lies across each triangle's edges, 12 bytes a triangle of the scene,
 // and with packed triangles the ids that they were packed from.
 //
 // As in the paper a texel decides alone what lies on its triangle, or under it: lookup_spsm_first.frag. With packed
@@ -14,6 +15,10 @@
 #include "texel_triangle.glsl"
 
 layout(constant_id = 4) const uint kAnswer = kAnswerVisibility;
+
+// Texels to each side of the sample's own in which deep shadow has no light. Fewer fuse gaps of leaves and grids, more leave
+// specks of light in shadows: README.md.
+const int kDeep = 5;
 
 float answer(uint kind, float lit) { return kAnswer == kAnswerVisibility ? lit : float(kind); }
 
@@ -37,6 +42,14 @@ bool nextOccluder(uint view, Receiver r, ivec2 centre, inout uint k, out StoredT
   return false;
 }
 
+bool isDeepInShadow(uint view, Receiver r, ivec2 centre) {
+  const ivec2 high = ivec2(plan.views[view].rectSize) - 1;
+  for (int y = -kDeep; y <= kDeep; ++y)
+    for (int x = -kDeep; x <= kDeep; ++x)
+      if (litBy(view, r, clamp(centre + ivec2(x, y), ivec2(0), high)) > 0) return false;
+  return true;
+}
+
 float lookup(uint view, Receiver r) {
   const ivec2 centre = texelIn(view, r.texel);
   const float byOwn = litByOwn(view, centre, heldIn(view, centre), r, r.texel - (vec2(centre) + 0.5));
@@ -45,5 +58,5 @@ float lookup(uint view, Receiver r) {
   StoredTriangle hit;
   while (nextOccluder(view, r, centre, k, hit))
     if (!isHoleOver(r.viewSample, hit.instance, hit.triangle)) return answer(kAnswerUncertain, 0);
-  return answer(kAnswerUncertain, 1);
+  return answer(kAnswerUncertain, isDeepInShadow(view, r, centre) ? 0.0 : 1.0);
 }

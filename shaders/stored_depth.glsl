@@ -21,7 +21,7 @@ uint indexInStore(uint view, ivec2 texel) {
 
 float storedDepth(uint view, ivec2 texel) {
   if (kStore == kStoreDepths) return uintBitsToFloat(linearStore[indexInStore(view, texel)]);
-  if (kStore == kStoreIds) return uintBitsToFloat(linearStore[2 * indexInStore(view, texel) + 1]);
+  if (kStore == kStoreIds || kStore == kStoreTriangles) return uintBitsToFloat(linearStore[2 * indexInStore(view, texel) + 1]);
   return texelFetch(store, ivec2(plan.views[view].rectOffset) + texel, 0).r;
 }
 

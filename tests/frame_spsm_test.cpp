@@ -98,6 +98,27 @@ TEST_F(FrameSpsm, WalksOverBallsAreExact) {
 }
 
 // Leaves are cards with holes: light that falls through them does.
+// A plate under slats, which are all that the map holds: between them no walk arrives at it, and yet it is
+// there.
+TEST_F(FrameSpsm, SecondLayersHideWhereNoLightIsNear) {
+  SceneBuilder builder("slats");
+  builder.addMaterial({.gpu = {glm::vec4(1), 0, shared::kNoTexture, 0, 0}, .doubleSided = true});
+  const auto quad = [&](float x0, float x1, float z0, float z1, float y) {
+    const auto mesh = builder.addMesh(
+        "quad",
+        {{.positions = {{x0, y, z0}, {x0, y, z1}, {x1, y, z1}, {x1, y, z0}}, .indices = {0, 1, 2, 0, 2, 3}}});
+    builder.addInstance("quad", mesh, glm::dmat4(1));
+  };
+  quad(-20, 20, -20, 20, 0);
+  quad(-10, 10, -10, 10, 2);
+  for (int slat = -12; slat < 12; ++slat) quad(float(slat), float(slat) + 0.9f, -10, 10, 4);
+  const auto scene = sharedScene(std::move(builder).finish());
+  const View below{.eye = {0, 1.5, 5}, .target = {0, 0, 0}, .verticalFovDegrees = 30};
+  const auto r = render(jobOf(scene, below, sun(85, 30), {120, 120},
+                              {"spsm,texels=64", "spsm,texels=64,storage=depth-id"}, {}, true));
+  for (const Rendering& method : r) EXPECT_GT(method.result.measures->pixelMatch, 0.99);
+}
+
 TEST_F(FrameSpsm, WalksRespectHoles) {
   const auto scene = builtin("trees");
   const auto r = render(jobOf(scene, viewOf(*scene, "main"), lightOf(*scene, "sun"), {240, 180},

@@ -38,8 +38,8 @@ Planes cameraSides(const shared::FrameConstants& c) {
   return {rows[3] + rows[0], rows[3] - rows[0], rows[3] + rows[1], rows[3] - rows[1]};
 }
 
-// And what of light space holds the scene, or the spot light's pyramid from its near plane on: tighter than the boxes of
-// the clusters at its sides.
+// And what of light space holds the scene, or the spot light's pyramid from its near plane on: tighter than
+// the boxes of the clusters at its sides.
 Planes planesOf(const shared::FrameConstants& c) {
   Planes planes = cameraSides(c);
   const dmat4 light = glm::transpose(dmat4(c.lightFromWorld));

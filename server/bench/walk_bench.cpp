@@ -6,7 +6,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
 #include <fstream>
 
 #include "bench/program.h"
@@ -46,7 +45,8 @@ double median(const std::vector<Steps>& walk, std::size_t method, Value value) {
 
 // One line a series, over the frames of the walk.
 struct Series {
-  std::string name, colour;
+  std::string name;  // empty: a second line of the series before
+  std::string colour;
   std::vector<double> values;
 };
 void writeChart(const std::string& file, std::string_view title, const std::vector<Series>& series) {
@@ -71,9 +71,9 @@ void writeChart(const std::string& file, std::string_view title, const std::vect
                                         std::max<double>(1, static_cast<double>(s.values.size() - 1)),
                             kTop + kHeight * (1 - s.values[i] / most));
     out << fmt::format(
-        R"(<polyline fill="none" stroke="{0}" stroke-width="2" points="{1}"/><text x="{2}" y="34" fill="{0}">{3}</text>)",
-        s.colour, points, legend, s.name);
-    legend += 180;
+        R"(<polyline fill="none" stroke="{0}" stroke-width="2" {1} points="{2}"/><text x="{3}" y="34" fill="{0}">{4}</text>)",
+        s.colour, s.name.empty() ? R"(stroke-dasharray="6 4")" : "", points, legend, s.name);
+    if (!s.name.empty()) legend += 180;
   }
   out << fmt::format(R"(<text x="{}" y="{}">frame of the walk</text></svg>)", kLeft, kTop + kHeight + 20);
 }
@@ -91,10 +91,10 @@ void writeCharts(const std::vector<Steps>& walk, const std::vector<Method>& meth
     const std::string name = methods[m].label(), colour(kColours[m % std::size(kColours)]);
     times.push_back({name, colour, column(walk, m, [](const Step& s) { return s.ms; })});
     if (m == 0) continue;
-    const auto side = [&](double (*of)(const Step&)) { return Series{name, colour, column(walk, m, of)}; };
-    sizes.push_back(side([](const Step& s) { return std::sqrt(double(s.texels.x) * s.texels.y); }));
+    sizes.push_back({name, colour, column(walk, m, [](const Step& s) { return double(s.texels.x); })});
+    sizes.push_back({"", colour, column(walk, m, [](const Step& s) { return double(s.texels.y); })});
   }
-  writeChart("walk-size.svg", "Texels of the chosen map, the root of their number", sizes);
+  writeChart("walk-size.svg", "Texels of the chosen map: width, and dashed height", sizes);
   writeChart("walk-time.svg", "Milliseconds per frame", times);
 }
 

@@ -363,7 +363,10 @@ void Frame::filter(VkCommandBuffer command) const {
 }
 
 // How lit each view sample is.
-void Frame::resolve(VkCommandBuffer command) const { lookUp(command, view_.target, bindings_); }
+void Frame::resolve(VkCommandBuffer command) const {
+  bindings_.bind(command);
+  lookUp(command, view_.target);
+}
 
 BindingSet Frame::bindingsAt(const ViewTarget& points) const {
   BindingSet bindings(view_.device, view_.pipelines.layout);
@@ -375,15 +378,14 @@ void Frame::recordLookup(VkCommandBuffer command, const ViewTarget& points,
                          const BindingSet& bindings) const {
   bindings.bind(command);
   store_->gather(command, points.size().x * points.size().y);
-  lookUp(command, points, bindings);
+  lookUp(command, points);
 }
 
-void Frame::lookUp(VkCommandBuffer command, const ViewTarget& points, const BindingSet& bindings) const {
+void Frame::lookUp(VkCommandBuffer command, const ViewTarget& points) const {
   const auto draw = [&](VkPipeline pipeline) {
     vkCmdBindPipeline(command, VK_PIPELINE_BIND_POINT_GRAPHICS, pipeline);
     vkCmdDraw(command, 3, 1, 0, 0);
   };
-  bindings.bind(command);
   if (!pipelines_->resolveFirst) {
     renderInto(command, {&points.visibility}, nullptr, [&] { draw(pipelines_->resolve); });
     return;

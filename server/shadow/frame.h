@@ -94,7 +94,7 @@ class Frame {
   std::vector<Work> storeWork() const;
   void filter(VkCommandBuffer) const;
   void resolve(VkCommandBuffer) const;
-  void lookUp(VkCommandBuffer, const ViewTarget& points, const BindingSet&) const;
+  void lookUp(VkCommandBuffer, const ViewTarget& points) const;  // whose bindings are bound
   void shade(VkCommandBuffer) const;
   void readSamples(VkCommandBuffer) const;
   void trace() const;

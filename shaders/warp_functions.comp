@@ -7,11 +7,11 @@
 layout(local_size_x = 64) in;
 layout(constant_id = 0) const bool kDown = false;
 
-// Of the step from a knot to the next, for a function.
+// For a function: of the step from a knot to the next.
 float gathered(uint view, uint f, uint k) {
   const uint first = gatheredAt(view), columns = warpSize().x;
-  if (kWarp == kWarpNonOrthogonal) return float(importance[first + (kDown ? k * columns + f : f * columns + k)]);
-  return uintBitsToFloat(importance[first + (kDown ? columns : 0) + k]);
+  const uint at = kWarp == kWarpNonOrthogonal ? (kDown ? k * columns + f : f * columns + k) : (kDown ? columns : 0) + k;
+  return uintBitsToFloat(importance[first + at]);
 }
 
 float importanceOf(uint view, uint f, uint k) {

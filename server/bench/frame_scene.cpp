@@ -18,20 +18,22 @@ FrameScene::FrameScene(const Device& device, FramePipelines& pipelines, Sight si
 }
 
 std::unique_ptr<Frame> FrameScene::frame(const Method& method, MakeStore* make) const {
-  auto made = std::make_unique<Frame>(
-      FrameView{
-          .device = device_,
-          .pipelines = pipelines_,
-          .scene = buffers_,
-          .target = target_,
-          .reference = nullptr,
-          .edges = nullptr,
-          .light = sight_.light,
-          .origin = origin_,
-          .constants = frameConstants(*sight_.scene, sight_.view, sight_.light, target_.size(), origin_)},
-      method, make);
+  auto made = std::make_unique<Frame>(FrameView{.device = device_,
+                                                .pipelines = pipelines_,
+                                                .scene = buffers_,
+                                                .target = target_,
+                                                .reference = nullptr,
+                                                .edges = nullptr,
+                                                .light = sight_.light,
+                                                .origin = origin_,
+                                                .constants = constants()},
+                                      method, make);
   need(runFrame(device_, made->passes(), {}));
   return made;
+}
+
+shared::FrameConstants FrameScene::constants() const {
+  return frameConstants(*sight_.scene, sight_.view, sight_.light, target_.size(), origin_);
 }
 
 std::unique_ptr<Frame> FrameScene::frame(std::string_view method, MakeStore* make) const {

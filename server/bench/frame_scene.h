@@ -20,6 +20,7 @@ class FrameScene {
   std::unique_ptr<Frame> frame(std::string_view method, MakeStore* make = makeStore) const;
 
   const Device& device() const { return device_; }
+  shared::FrameConstants constants() const;  // of the camera and the light, before a method's
   // Of the frames that ran: their view samples, one a pixel, relative to the frames' origin; how they are
   // lit, by rays; and 1 for those that face the light.
   std::vector<shared::ViewSample> samples() const;

@@ -1,6 +1,6 @@
 // sundial-bench-warp: fitted and warped maps against plain ones, as [NOTW, section 4] compares them.
 //
-//   [RUNS [SCENE...]]      SCENE: files whose wrong pixels are counted after those of built-in scenes
+//   [RUNS [SCENE...]]      SCENE: files that are counted after the built-in scenes
 //   tessellation [RUNS]    warped maps by the pipeline, as they are and cut up, against the warp's inverse
 //
 // RUNS: timed frames of each method, 0 for no times.
@@ -44,14 +44,11 @@ const std::vector<Place> kSpread = {{"builtin:atrium", "", "sun"},
                                     {"builtin:observatory", "", "spot"},
                                     {"builtin:conference", "", "spot"},
                                     {"builtin:trees?count=40", "walk", "low"}};
-const std::vector<std::string> kSpreadMethods = {"rtw",
-                                                 "notw",
-                                                 "notw,window=32",
-                                                 "notw,window=5",
-                                                 "notw,power=1",
-                                                 "notw,power=0.8,even=0.1,window=10",
-                                                 "notw,power=1,even=0.05,window=32",
-                                                 "notw,power=1,even=0.05,window=5"};
+// The last spreads samples as evenly as any warp could: what it leaves is the pixels' grid.
+std::vector<std::string> spreadMethods(int texels) {
+  return {"rtw", "notw", fmt::format("notw,power=0.7,even=0.01,window={}", texels / 14),
+          fmt::format("notw,power=1,even=0.1,window={}", texels / 14), "notw,power=1,even=0.01,window=1"};
+}
 
 std::vector<std::string> withTexels(std::vector<std::string> methods, int texels = kTexels) {
   for (std::string& method : methods) method += fmt::format(",texels={}", texels);
@@ -63,6 +60,11 @@ std::string nameOf(const Place& place) {
   for (const std::string& part : {place.view, place.light})
     if (!part.empty()) name += ", " + part;
   return name;
+}
+
+std::vector<Place> withFiles(std::vector<Place> places, const std::vector<std::string>& files) {
+  for (const std::string& file : files) places.push_back({file});
+  return places;
 }
 
 void printHead(std::string_view first, const std::vector<std::string>& columns) {
@@ -100,9 +102,7 @@ void printTimes(Renderer& renderer, unsigned runs) {
 void printWrong(Renderer& renderer, const std::vector<std::string>& files) {
   fmt::print("Wrong pixels, %\n\n");
   printHead("scene, view, light", kCountedMethods);
-  std::vector<Place> places = kCounted;
-  for (const std::string& file : files) places.push_back({file});
-  for (const Place& place : places) {
+  for (const Place& place : withFiles(kCounted, files)) {
     const auto results = resultsOf(renderer, jobAt(sightOf(place), kPicture, withTexels(kCountedMethods), 0));
     fmt::print("| {:28} |", nameOf(place));
     for (const MethodResult& result : results) fmt::print(" {:.3f} |", wrongPercent(result));
@@ -111,29 +111,31 @@ void printWrong(Renderer& renderer, const std::vector<std::string>& files) {
   fmt::print("\n");
 }
 
-// A method's variation of samples per texel after its warp over that before, and its wrong pixels.
-void printSpread(Renderer& renderer, int texels) {
+// How much samples per texel vary after the warp of a method, over how much they do before it; a pixel is cut
+// into so many.
+double variationLeft(const FrameScene& scene, const Method& method, unsigned side) {
+  const Warped warped = warpedOf(scene, method, side).front();
+  return variation(countsAfter(warped)) / variation(countsBefore(warped));
+}
+
+void printSpread(Renderer& renderer, const std::vector<std::string>& files, int texels) {
   fmt::print(
-      "{0} x {0} texels: variation of samples per texel after the warp over that before; wrong pixels, %\n\n",
+      "{0} x {0} texels: variation of samples per texel after the warp over that before, a sample a pixel "
+      "and "
+      "sixteen; wrong pixels, %\n\n",
       texels);
   const auto device = need(Device::create("", false));
   FramePipelines pipelines(*device);
-  std::vector<std::string> columns, cells(kSpreadMethods.size());
-  for (const Place& place : kSpread) {
+  const std::vector<std::string> methods = spreadMethods(texels);
+  printHead("scene, view, light", methods);
+  for (const Place& place : withFiles(kSpread, files)) {
     const Sight sight = sightOf(place);
     const FrameScene scene(*device, pipelines, sight, kPicture);
-    const auto results = resultsOf(renderer, jobAt(sight, kPicture, withTexels(kSpreadMethods, texels), 0));
-    for (std::size_t m = 0; m < results.size(); ++m) {
-      const Warped warped = warpedOf(scene, results[m].method).front();
-      cells[m] +=
-          fmt::format(" {:.2f}, {:.3f} |", variation(countsAfter(warped)) / variation(countsBefore(warped)),
-                      wrongPercent(results[m]));
-    }
-    columns.push_back(nameOf(place));
-  }
-  printHead("method", columns);
-  for (std::size_t m = 0; m < cells.size(); ++m) {
-    fmt::print("| {:34} |{}", fmt::format("`{}`", kSpreadMethods[m]), cells[m]);
+    fmt::print("| {:28} |", nameOf(place));
+    for (const MethodResult& result :
+         resultsOf(renderer, jobAt(sight, kPicture, withTexels(methods, texels), 0)))
+      fmt::print(" {:.2f}, {:.2f}, {:.3f} |", variationLeft(scene, result.method, 1),
+                 variationLeft(scene, result.method, 4), wrongPercent(result));
     endRow();
   }
   fmt::print("\n");
@@ -153,9 +155,9 @@ int run(const Arguments& arguments) {
   }
   const auto renderer = need(Renderer::create("", false));
   if (*runs > 0) printTimes(*renderer, *runs);
-  const std::span files = rest.empty() ? rest : rest.subspan(1);
-  printWrong(*renderer, {files.begin(), files.end()});
-  for (const int texels : {256, kTexels}) printSpread(*renderer, texels);
+  const std::vector<std::string> files(rest.begin() + (rest.empty() ? 0 : 1), rest.end());
+  printWrong(*renderer, files);
+  for (const int texels : {256, kTexels}) printSpread(*renderer, files, texels);
   return 0;
 }
 

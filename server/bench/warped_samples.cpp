@@ -26,18 +26,34 @@ double between(Table table, std::size_t count, double beside, double position, u
                    valueAt(table(std::min(first + 1, count - 1)), position, last), at - double(first));
 }
 
-// Those that face the light, before any warp: in the plan's only map, or each in its face's.
-void takeSamples(std::vector<Warped>& warps, const FrameScene& scene, const shared::Plan& plan) {
+// `at` pixels beside a sample, on the plane of its surface; the sample where that plane is seen edge-on.
+dvec3 besideSample(const shared::ViewSample& sample, const shared::FrameConstants& c, const dvec2& at) {
+  const dvec3 eye(c.wsEye), to = dvec3(sample.wsPosition) - eye, normal(sample.wsNormal);
+  const double depth = (glm::dmat4(c.clipFromWorld) * glm::dvec4(dvec3(sample.wsPosition), 1)).w;
+  const dvec3 ray = to / depth + at.x * dvec3(c.wsRayPerPixelX) + at.y * dvec3(c.wsRayPerPixelY);
+  const double distance = glm::dot(normal, to) / glm::dot(normal, ray);
+  return distance > 0.5 * depth && distance < 2 * depth ? eye + distance * ray : eye + to;
+}
+
+// Those of pixels that face the light, before any warp: in the plan's only map, or each in its face's.
+void takeSamples(std::vector<Warped>& warps, const FrameScene& scene, const shared::Plan& plan,
+                 unsigned side) {
+  const shared::FrameConstants constants = scene.constants();
   const std::vector<shared::ViewSample> samples = scene.samples();
   const std::vector<std::uint8_t> faces = scene.facing();
+  const glm::dmat4 lightFromWorld(plan.lightFromWorld);
   for (std::size_t i = 0; i < samples.size(); ++i) {
     if (!faces[i]) continue;
-    const glm::vec4 light(glm::dmat4(plan.lightFromWorld) * glm::dvec4(dvec3(samples[i].wsPosition), 1));
-    const std::uint32_t view = warps.size() == shared::kCubeFaces ? shared::faceOf(light) : 0;
-    const glm::dvec4 ls(shared::faceFromLight(view, light));
-    const dvec2 low(plan.views[view].lsMin), high(plan.views[view].lsMax);
-    const dvec2 share = (dvec2(ls) / ls.w - low) / (high - low);
-    warps[view].samples.push_back(dvec2(share.x, 1 - share.y) * dvec2(warps[view].size));  // rows run down
+    for (unsigned part = 0; part < side * side; ++part) {
+      const dvec2 at = (dvec2(part % side, part / side) + 0.5) / double(side) - 0.5;
+      const dvec3 ws = side == 1 ? dvec3(samples[i].wsPosition) : besideSample(samples[i], constants, at);
+      const glm::vec4 light(lightFromWorld * glm::dvec4(ws, 1));
+      const std::uint32_t view = warps.size() == shared::kCubeFaces ? shared::faceOf(light) : 0;
+      const glm::dvec4 ls(shared::faceFromLight(view, light));
+      const dvec2 low(plan.views[view].lsMin), high(plan.views[view].lsMax);
+      const dvec2 share = glm::clamp((dvec2(ls) / ls.w - low) / (high - low), 0.0, 1.0);
+      warps[view].samples.push_back(dvec2(share.x, 1 - share.y) * dvec2(warps[view].size));  // rows run down
+    }
   }
 }
 
@@ -63,7 +79,7 @@ dvec2 Warped::operator()(const dvec2& from) const {
   return {x, between([&](std::size_t f) { return down(f); }, columns, x, from.y, size.y)};
 }
 
-std::vector<Warped> warpedOf(const FrameScene& scene, const Method& method) {
+std::vector<Warped> warpedOf(const FrameScene& scene, const Method& method, unsigned side) {
   const auto frame = scene.frame(method);
   const shared::Plan plan = frame->downloadPlan();
   const WarpTables tables = frame->downloadWarp();
@@ -86,7 +102,7 @@ std::vector<Warped> warpedOf(const FrameScene& scene, const Method& method) {
     for (const glm::vec2& knot : ofView(tables.functions, view)) warped.values.push_back(knot.x);
     warps.push_back(std::move(warped));
   }
-  takeSamples(warps, scene, plan);
+  takeSamples(warps, scene, plan, side);
   return warps;
 }
 

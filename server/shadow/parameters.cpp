@@ -81,8 +81,7 @@ const std::vector<Rule>& rules() {
         .defaultValue = kAuto,
         .description = "warp=rectilinear: over how many columns and rows importance is smoothed; auto: a "
                        "thirty-second of the map's side; non-orthogonal: how many neighbouring rows and "
-                       "columns are counted "
-                       "together; auto: a quarter",
+                       "columns are counted together, the farther away the less; auto: an eighth",
         .choices = {kAuto}},
        [](const Stages& s) { return s.warp != Warp::none; },
        [](const std::string& text, Method::Settings& s) { s.window = unlessAuto(text); }},
@@ -102,7 +101,7 @@ const std::vector<Rule>& rules() {
         .max = 2,
         .defaultValue = "0.5",
         .description = "of importance, that the other texels of a warp follow; 1: in proportion to it, which "
-                       "spreads samples evenly, as the papers have it; 0.5: fewest wrong pixels"},
+                       "spreads samples evenly, as the papers have it; 0.5 or 0.6: fewest wrong pixels"},
        [](const Stages& s) { return s.warp != Warp::none; },
        [](const std::string& text, Method::Settings& s) { s.power = numberIn(text); }},
       {{.name = "analysis",

@@ -29,8 +29,10 @@ class FrameWarp : public RendererTest {
   }
   // Of each map of the plan.
   static std::vector<Warped> warps(const std::shared_ptr<const Scene>& scene, const View& view,
-                                   const Light& light, const glm::uvec2& image, std::string_view text) {
-    return bench::warpedOf(sight(scene, view, light, image), methodInLight(method(text), light.kind).value());
+                                   const Light& light, const glm::uvec2& image, std::string_view text,
+                                   unsigned side = 1) {
+    return bench::warpedOf(sight(scene, view, light, image), methodInLight(method(text), light.kind).value(),
+                           side);
   }
   static Warped warp(const std::shared_ptr<const Scene>& scene, const View& view, const Light& light,
                      const glm::uvec2& image, std::string_view text) {

@@ -26,6 +26,22 @@ bool isBetween(vec3 toLight, vec3 a, vec3 b, vec3 c) {
   return along != 0 && steps * length(toLight) > frame.biasWorld && (lightIsFar() || steps < 1);
 }
 
+// As rays of the reference (server/reference/reference.cpp): where light all but lies in the sample's plane the sample,
+// which was rounded, goes back to it, and above it by what rounding may take again. From below walks would meet what
+// adjoins the plane from behind.
+const float kGrazing = 0.01;    // metres above the plane a metre towards the light
+const float kRounding = 5e-7;  // of a position in single precision, relative
+ViewSample onItsPlane(ViewSample s) {
+  const vec3 toLight = wayToLight(s.wsPosition);
+  if (dot(s.wsNormal, toLight) >= kGrazing * length(toLight)) return s;
+  const vec3 corner = placed(instanceAt(s.instance), vertexPosition(triangleAt(s.triangle).vertices[0]));
+  const float below = dot(s.wsNormal, corner - s.wsPosition);
+  const vec3 extent = max(abs(corner), abs(s.wsPosition));
+  ViewSample on = s;
+  on.wsPosition += (below + kRounding * max(max(extent.x, extent.y), extent.z)) * s.wsNormal;
+  return on;
+}
+
 vec3 cornerFrom(ViewSample s, Instance place, uint vertex) { return placed(place, vertexPosition(vertex)) - s.wsPosition; }
 
 // Whether the surface that the triangle belongs to is between the sample and the light; then `triangle` becomes the one

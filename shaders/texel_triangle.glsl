@@ -8,15 +8,18 @@
 
 layout(constant_id = 5) const uint kRecovery = kRecoverNothing;
 // Whether a stored triangle decides only what its rounding leaves no doubt about: the rest is asked of the mesh.
-const bool kDoubts = kStore == kStoreTriangles && kRecovery == kRecoverWalk;
+const bool kDoubts = kRecovery == kRecoverWalk;
 // Whether there are alpha-tested triangles, and walks to ask where their holes are.
 layout(constant_id = 9) const bool kHoles = false;
+
+// What single precision makes of a place on a map, in shares of the map.
+const float kMapRounding = 1e-6;
 
 struct Held {
   bool exists;
   TexelTriangle t;
-  vec2 cornerError;  // at most, of what packing rounded, texels; 0 where nothing was packed
-  float depthError;  // too
+  vec2 cornerError;  // at most, of what packing rounded, or else single precision, texels
+  float depthError;  // of packing; 0 where nothing was packed
   vec2 slopeError;
   uvec2 owner;  // instance and triangle; kNoInstance where they aren't known
 };
@@ -58,6 +61,7 @@ Held lookedUp(uint view, ivec2 texel) {
   const vec2 size = vec2(plan.views[view].rectSize), centre = vec2(texel) + 0.5;
   const MapTriangle m = mapTriangle(view, linearStore[index], centre / size, held.owner);
   for (int i = 0; i < 3; ++i) held.t.corners[i] = m.corners[i] * size - centre;
+  held.cornerError = kMapRounding * size;
   held.t.depth = m.depth;
   held.t.slope = m.slope / size;
   return held;
@@ -93,11 +97,20 @@ bool hides(Held held, Receiver r, vec2 at) {
          containsPoint(held.t, at, kDoubts ? held.cornerError : vec2(0)) && !isOnPlane(held, r, at);
 }
 
+// Whether other triangles may be before the sample although its own is the nearest that its texel holds: light grazes it,
+// so that the texel has places where it is nearer to the light than the sample, by more than twice what a plain map's
+// receiver moves.
+bool isGrazed(Receiver r, vec2 at) {
+  const float rise = 0.5 * (abs(r.depthPerTexel.x) + abs(r.depthPerTexel.y)) - dot(r.depthPerTexel, at);
+  return rise > 2 * (r.depth - r.exactDepth);
+}
+
 // What the triangle of the receiver's own texel says alone: how lit it is, or kUndecided. On its plane it is lit, because
-// that triangle is the nearest of all that touch the texel.
+// that triangle is the nearest of all that touch the texel, unless there are walks to ask what it says where it is grazed.
 const float kUndecided = -1;
 float litByOwn(uint view, ivec2 texel, Held own, Receiver r, vec2 at) {
-  if (!own.exists || isOnPlane(own, r, at)) return 1;
+  if (!own.exists) return 1;
+  if (isOnPlane(own, r, at)) return kRecovery == kRecoverWalk && isGrazed(r, at) ? kUndecided : 1.0;
   if (!hides(own, r, at)) return kUndecided;
   return kHoles && isMasked(storedTriangle(view, texel)) ? kUndecided : 0.0;
 }

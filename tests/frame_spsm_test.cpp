@@ -1,36 +1,14 @@
 // Maps that hold triangles: shadows' edges finer than texels, what decides about a sample, and with which
 // other stages it goes.
-#include <glm/gtc/matrix_transform.hpp>
-
 #include "scene/scene_builder.h"
 #include "shared/choices.h"
 #include "shared/wanted.h"
-#include "support/rendering.h"
-#include "support/tiny_scene.h"
+#include "support/wrong_pixels.h"
 
 namespace sundial::test {
 namespace {
 
-class FrameSpsm : public RendererTest {
- protected:
-  // Share of wrong pixels, by method.
-  static std::map<std::string, double> wrong(std::string_view scene, std::string_view view,
-                                             std::string_view light,
-                                             std::initializer_list<std::string_view> methods) {
-    const auto held = builtin(scene);
-    return wrong(held, viewOf(*held, view), lightOf(*held, light), methods);
-  }
-
-  static std::map<std::string, double> wrong(const std::shared_ptr<const Scene>& scene, const View& view,
-                                             const Light& light,
-                                             std::initializer_list<std::string_view> methods) {
-    std::map<std::string, double> shares;
-    const auto renderings = render(jobOf(scene, view, light, {320, 320}, methods, {}, true));
-    auto method = methods.begin();
-    for (const Rendering& r : renderings) shares[std::string(*method++)] = 1 - r.result.measures->pixelMatch;
-    return shares;
-  }
-};
+using FrameSpsm = WrongPixelsTest;
 
 // Straight edges of large triangles are where they are, whatever the texels' size.
 TEST_F(FrameSpsm, EdgesOfLargeTrianglesAreExact) {
@@ -53,78 +31,6 @@ TEST_F(FrameSpsm, RebuiltEdgesMakeUpForTrianglesThatNoTexelHolds) {
   EXPECT_GT(w["spsm,texels=1024,recovery=off"], 3 * edges);
   EXPECT_GT(w["rgsm,texels=1024"], w["rgsm,texels=1024,kernel=5"]);
   EXPECT_GT(w["rgsm,texels=1024,kernel=5"], 2 * edges);
-}
-
-// The paper's figure: 5.6 times fewer wrong pixels than a plain map has. Packed or whole, it is the same
-// walk.
-TEST_F(FrameSpsm, WalksFindThemWhereTheyAre) {
-  auto w = wrong("knot", "main", "sun",
-                 {"sm,texels=1024", "spsm,texels=1024", "spsm,texels=1024,storage=depth-id",
-                  "spsm,texels=1024,kernel=5"});
-  EXPECT_LT(5.6 * w["spsm,texels=1024"], w["sm,texels=1024"]);
-  EXPECT_LT(5.6 * w["spsm,texels=1024,storage=depth-id"], w["sm,texels=1024"]);
-  EXPECT_LT(w["spsm,texels=1024,kernel=5"], 0.9 * w["spsm,texels=1024"]);
-}
-
-// Balls over a floor, of which a texel holds one of many triangles: no walk over them meets a silhouette but
-// their outline. In each kind of light, and where the instance is a mirror image.
-TEST_F(FrameSpsm, WalksOverBallsAreExact) {
-  const auto meshOf = [](const Soup& soup) {
-    Primitive primitive{.positions = soup.positions, .uvs = {}, .colours = {}, .indices = {}, .material = 0};
-    for (std::uint32_t i = 0; i < soup.positions.size(); ++i) primitive.indices.push_back(i);
-    return std::vector{primitive};
-  };
-  SceneBuilder builder("balls");
-  builder.addMaterial({.name = "grey", .gpu = {glm::vec4(1), 0, shared::kNoTexture, 0, 0}});
-  builder.addInstance("floor", builder.addMesh("floor", meshOf(quad({-6, 0, 6}, {12, 0, 0}, {0, 0, -12}))),
-                      glm::dmat4(1));
-  const std::uint32_t ball = builder.addMesh("ball", meshOf(sphere(48)));
-  for (const double side : {-1.0, 1.0})
-    builder.addInstance(
-        "ball", ball,
-        glm::scale(glm::translate(glm::dmat4(1), glm::dvec3(1.5 * side, 2, 0)), glm::dvec3(side, 1, 1)));
-  const auto scene = sharedScene(std::move(builder).finish());
-  const View view{.eye = {0, 7, 7}, .target = {0, 0.5, 0}};
-  const Light point{.kind = LightKind::point, .position = {0.3, 6, 0.5}};
-  for (const Light& light : {sun(60, 20), spot({0.5, 9, 1}, {0, 0, 0}, 70), point}) {
-    auto w = wrong(scene, view, light,
-                   {"sm,texels=128", "spsm,texels=128", "spsm,texels=128,storage=depth-id",
-                    "spsm,texels=128,recovery=edges"});
-    EXPECT_GT(w["sm,texels=128"], 0.003);
-    EXPECT_LT(w["spsm,texels=128"], 0.02 * w["sm,texels=128"]);
-    EXPECT_LT(w["spsm,texels=128,storage=depth-id"], 0.02 * w["sm,texels=128"]);
-    EXPECT_GT(w["spsm,texels=128,recovery=edges"], 2 * w["spsm,texels=128"]);
-  }
-}
-
-// Leaves are cards with holes: light that falls through them does.
-// A plate under slats, which are all that the map holds: between them no walk arrives at it, and yet it is
-// there.
-TEST_F(FrameSpsm, SecondLayersHideWhereNoLightIsNear) {
-  SceneBuilder builder("slats");
-  builder.addMaterial({.gpu = {glm::vec4(1), 0, shared::kNoTexture, 0, 0}, .doubleSided = true});
-  const auto quad = [&](float x0, float x1, float z0, float z1, float y) {
-    const auto mesh = builder.addMesh(
-        "quad",
-        {{.positions = {{x0, y, z0}, {x0, y, z1}, {x1, y, z1}, {x1, y, z0}}, .indices = {0, 1, 2, 0, 2, 3}}});
-    builder.addInstance("quad", mesh, glm::dmat4(1));
-  };
-  quad(-20, 20, -20, 20, 0);
-  quad(-10, 10, -10, 10, 2);
-  for (int slat = -12; slat < 12; ++slat) quad(float(slat), float(slat) + 0.9f, -10, 10, 4);
-  const auto scene = sharedScene(std::move(builder).finish());
-  const View below{.eye = {0, 1.5, 5}, .target = {0, 0, 0}, .verticalFovDegrees = 30};
-  const auto r = render(jobOf(scene, below, sun(85, 30), {120, 120},
-                              {"spsm,texels=64", "spsm,texels=64,storage=depth-id"}, {}, true));
-  for (const Rendering& method : r) EXPECT_GT(method.result.measures->pixelMatch, 0.99);
-}
-
-TEST_F(FrameSpsm, WalksRespectHoles) {
-  const auto scene = builtin("trees");
-  const auto r = render(jobOf(scene, viewOf(*scene, "main"), lightOf(*scene, "sun"), {240, 180},
-                              {"spsm,texels=1024", "spsm,texels=1024,recovery=edges"}, {}, true));
-  EXPECT_LT(r[0].result.measures->falseShadow, 1e-4);
-  EXPECT_GT(r[1].result.measures->falseShadow, 0.01);
 }
 
 TEST_F(FrameSpsm, GoesWithEveryWayToPlaceMaps) {
@@ -206,7 +112,6 @@ TEST_F(FrameSpsm, SaysWhatItAnsweredFrom) {
   EXPECT_EQ(plain.at<std::uint32_t>(Aov::lookupClass, 0), 0xffffffffu);
 }
 
-// 16 bytes a texel, and 8 while it is drawn.
 // The codes' proportions are the world's: a map about a lamp, whose depth is the reciprocal of distance, and
 // small tiles of a scene lose no more than one map of the sun.
 TEST_F(FrameSpsm, PackingCostsLittleInAnyLight) {
@@ -216,6 +121,7 @@ TEST_F(FrameSpsm, PackingCostsLittleInAnyLight) {
   }
 }
 
+// 16 bytes a texel, and 8 while it is drawn.
 TEST_F(FrameSpsm, SaysWhatMemoryItTakes) {
   const auto scene = builtin("grid");
   const auto r = render(

@@ -10,6 +10,9 @@ layout(constant_id = 0) const uint kViews = 1;
 layout(constant_id = 1) const bool kBeyond = true;
 layout(constant_id = 2) const bool kAll = false;
 
+// How far from a texel's centre, texels, its triangle is asked for: by samples of the eight about it.
+const float kAsked = 1.5;
+
 layout(local_size_x = kPackGroup) in;
 
 layout(set = 0, binding = kBindHeldWritten, rgba32ui) writeonly uniform uimageBuffer held;
@@ -28,7 +31,7 @@ uvec4 packedAt(uint index) {
   const vec2 centre = (vec2(within % size.x, within / size.x) + 0.5) / vec2(size);
   uvec2 owner;
   const MapTriangle triangle = mapTriangle(view, nearest.x, centre, owner);
-  return packedTriangle(kBeyond ? onGrid(triangle, centre) : triangle, texelMetric(view));
+  return packedTriangle(kBeyond ? onGrid(triangle, centre, kAsked / vec2(size)) : triangle, texelMetric(view));
 }
 
 void main() {

@@ -94,7 +94,7 @@ float errorAt(Held held, Receiver r, vec2 at) {
 // Whether it is between the receiver and the light.
 bool hides(Held held, Receiver r, vec2 at) {
   return held.exists && planeDepth(held.t, at) - errorAt(held, r, at) > r.exactDepth &&
-         containsPoint(held.t, at, kDoubts ? held.cornerError : vec2(0)) && !isOnPlane(held, r, at);
+         containsPoint(held.t.corners, at, kDoubts ? held.cornerError : vec2(0)) && !isOnPlane(held, r, at);
 }
 
 // Whether other triangles may be before the sample although its own is the nearest that its texel holds: light grazes it,

@@ -50,6 +50,13 @@ TEST_F(FrameSpsm, GoesWithEveryWayToPlaceMaps) {
   }
 }
 
+// Triangles that reach far beyond a small tile are the same in it, packed or whole.
+TEST_F(FrameSpsm, TilesOfLargeTrianglesHaveNoSeams) {
+  const std::string tiles = "iasm,tile_sizes=256:256:256:256,lookup=spsm,recovery=edges,storage=";
+  auto w = wrong("grid?n=20", "shadows", "sun", {tiles + "triangle", tiles + "depth-id"});
+  EXPECT_LE(w[tiles + "triangle"], w[tiles + "depth-id"] + 1e-4);
+}
+
 // The truth of a pixel that one triangle fills: a ray from each of sixteen places in it.
 TEST_F(FrameSpsm, SmoothedEdgesAreNearerToWhatPixelsSee) {
   constexpr unsigned kPlaces = 4;  // a side

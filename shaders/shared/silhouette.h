@@ -2,7 +2,7 @@
 // [Lecocq et al. 2014, section 4.2]. Lengths are texels; depth is greater where it is nearer to the light.
 #ifndef SUNDIAL_SHARED_SILHOUETTE_H
 #define SUNDIAL_SHARED_SILHOUETTE_H
-#include "interop.h"
+#include "plane_triangle.h"
 
 SUNDIAL_SHARED_BEGIN
 
@@ -13,24 +13,7 @@ struct TexelTriangle {
   vec2 slope;   // of its plane: depth a texel
 };
 
-SUNDIAL_FUNCTION float cross2(vec2 a, vec2 b) { return a.x * b.y - a.y * b.x; }
-
 SUNDIAL_FUNCTION float planeDepth(TexelTriangle t, vec2 at) { return t.depth + dot(t.slope, at); }
-
-// How far inside of a line from a to b, to its left, times their distance; `margin` is how much nearer to the
-// line both may be on each axis.
-SUNDIAL_FUNCTION float insideAtLeast(vec2 a, vec2 b, vec2 at, float turn, vec2 margin) {
-  const vec2 along = b - a;
-  return turn * cross2(along, at - a) - dot(vec2(abs(along.y), abs(along.x)), margin);
-}
-
-// Whether it contains the point wherever its corners are within `margin` of where they are said to be.
-SUNDIAL_FUNCTION bool containsPoint(TexelTriangle t, vec2 at, vec2 margin) {
-  const float turn = cross2(t.corners[1] - t.corners[0], t.corners[2] - t.corners[0]) >= 0.0f ? 1.0f : -1.0f;
-  return insideAtLeast(t.corners[0], t.corners[1], at, turn, margin) >= 0.0f &&
-         insideAtLeast(t.corners[1], t.corners[2], at, turn, margin) >= 0.0f &&
-         insideAtLeast(t.corners[2], t.corners[0], at, turn, margin) >= 0.0f;
-}
 
 // The part of a segment within a box around the origin: shares of its length, the first greater than the
 // second where there is none.

@@ -3,7 +3,7 @@
 // texel's centre, 16 bits; and how depth changes along the map, 2 x 8 bits.
 #ifndef SUNDIAL_SHARED_TRIANGLE_TEXEL_H
 #define SUNDIAL_SHARED_TRIANGLE_TEXEL_H
-#include "interop.h"
+#include "plane_triangle.h"
 
 SUNDIAL_SHARED_BEGIN
 
@@ -112,20 +112,13 @@ SUNDIAL_FUNCTION float shareToGrid(vec2 from, vec2 to) {
              : 2.0f;
 }
 
-// Distance of a point from the line through two others, squared.
-SUNDIAL_FUNCTION float lineDistance2(vec2 point, vec2 a, vec2 b) {
-  const vec2 along = b - a, to = point - a;
-  const float area = along.x * to.y - along.y * to.x;
-  return area * area / max(dot(along, along), 1e-30f);
-}
-
 SUNDIAL_FUNCTION bool isOnGrid(vec2 corner) {
   return abs(corner.x - 0.5f) <= 0.5f + kCornerMargin && abs(corner.y - 0.5f) <= 0.5f + kCornerMargin;
 }
 
 // Where a corner beyond the grid is kept if another corner is on it: moved along one of its two edges to the
-// grid's rim, the one that passes nearer to the texel. That edge stays where it is; what is cut off lies
-// behind the other one.
+// grid's rim, the one that passes nearer to the texel. That edge stays where it is; what is cut off lies at
+// the other one.
 SUNDIAL_FUNCTION vec2 cornerOnGrid(vec2 corner, vec2 next, vec2 other, vec2 texelCentre) {
   if (isOnGrid(corner)) return corner;
   const bool nextIsNearer =
@@ -152,7 +145,7 @@ SUNDIAL_FUNCTION float wayToLine(vec2 place, vec2 direction, vec2 a, vec2 b) {
   return way > 0.0f ? way : 1e9f;
 }
 
-// A triangle of which no corner is on the grid, as a triangle on the grid that is the same about the texel:
+// A triangle as one on the grid that is the same about the texel if no more than one edge passes through it:
 // on its nearest edge, from rim to rim, and as high over the texel as there is room. Where no edge crosses
 // the grid it covers all, and one about the texel does as well.
 SUNDIAL_FUNCTION MapTriangle grownAbout(MapTriangle t, vec2 texelCentre) {
@@ -182,16 +175,33 @@ SUNDIAL_FUNCTION MapTriangle grownAbout(MapTriangle t, vec2 texelCentre) {
   return grown;
 }
 
-// A triangle as one whose corners are on the grid.
-SUNDIAL_FUNCTION MapTriangle onGrid(MapTriangle given, vec2 texelCentre) {
-  MapTriangle t = given;
-  if (!isOnGrid(t.corners[0]) && !isOnGrid(t.corners[1]) && !isOnGrid(t.corners[2]))
-    t = grownAbout(given, texelCentre);
+// Its corners beyond the grid moved to the rim.
+SUNDIAL_FUNCTION MapTriangle cutToGrid(MapTriangle t, vec2 texelCentre) {
   MapTriangle moved = t;
   moved.corners[0] = cornerOnGrid(t.corners[0], t.corners[1], t.corners[2], texelCentre);
   moved.corners[1] = cornerOnGrid(t.corners[1], t.corners[2], t.corners[0], texelCentre);
   moved.corners[2] = cornerOnGrid(t.corners[2], t.corners[0], t.corners[1], texelCentre);
   return moved;
+}
+
+// Whether a cut took a corner of the square about the texel away from the triangle.
+SUNDIAL_FUNCTION bool isCutOff(MapTriangle given, MapTriangle cut, vec2 texelCentre, vec2 halfSquare) {
+  const vec2 rounding = -0.05f * halfSquare;
+  for (int i = 0; i < 4; ++i) {
+    const vec2 place = texelCentre + halfSquare * vec2(i % 2 == 0 ? -1.0f : 1.0f, i < 2 ? -1.0f : 1.0f);
+    if (containsPoint(given.corners, place, vec2(0.0f)) && !containsPoint(cut.corners, place, rounding))
+      return true;
+  }
+  return false;
+}
+
+// A triangle as one whose corners are on the grid, and that is the same in a square about the texel.
+SUNDIAL_FUNCTION MapTriangle onGrid(MapTriangle given, vec2 texelCentre, vec2 halfSquare) {
+  if (isOnGrid(given.corners[0]) || isOnGrid(given.corners[1]) || isOnGrid(given.corners[2])) {
+    const MapTriangle cut = cutToGrid(given, texelCentre);
+    if (!isCutOff(given, cut, texelCentre, halfSquare)) return cut;
+  }
+  return cutToGrid(grownAbout(given, texelCentre), texelCentre);
 }
 
 // Of a triangle on the grid.

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <numeric>
 #include <span>
 #include <tuple>
@@ -19,37 +20,67 @@ struct Side {
   std::uint32_t edge;  // of the triangle's three
 };
 
-// Per index of the mesh's triangles, from its first: the one vertex that stands for all in its place.
-std::vector<std::uint32_t> mergedVertices(const Scene& scene, const Mesh& mesh) {
-  const auto indices = std::span(scene.indices)
-                           .subspan(std::size_t{3} * mesh.firstTriangle, std::size_t{3} * mesh.triangleCount);
-  std::vector<std::uint32_t> order(indices.size());
-  std::iota(order.begin(), order.end(), 0u);
-  const auto place = [&](std::uint32_t i) {
-    const glm::vec3& p = scene.vertices[indices[i]].position;
-    return std::tuple(p.x, p.y, p.z);
-  };
-  std::ranges::sort(order, [&](auto a, auto b) {
-    return std::tuple(place(a), indices[a]) < std::tuple(place(b), indices[b]);
-  });
-  std::vector<std::uint32_t> merged(indices.size());
-  for (std::size_t i = 0; i < order.size(); ++i) {
-    const bool same = i > 0 && place(order[i]) == place(order[i - 1]);
-    merged[order[i]] = same ? merged[order[i - 1]] : indices[order[i]];
+// The vertices of a mesh: of those in one place the first stands for all.
+struct MergedVertices {
+  std::uint32_t first;                // vertex
+  std::vector<std::uint32_t> stands;  // of each vertex from it on: which one stands for it
+};
+
+std::size_t hashOf(const glm::vec3& place) {
+  std::uint64_t hash = 0;
+  for (int axis = 0; axis < 3; ++axis) {
+    // The two zeros are one place.
+    hash ^= std::bit_cast<std::uint32_t>(place[axis] + 0.0f);
+    hash *= 0x9e3779b97f4a7c15;
+    hash ^= hash >> 32;
+  }
+  return hash;
+}
+
+// By a table of places, open and at most half full.
+MergedVertices mergedVertices(std::span<const shared::Vertex> all, std::span<const std::uint32_t> indices) {
+  constexpr std::uint32_t kNone = ~0u;
+  const auto [low, high] = std::ranges::minmax(indices);
+  const auto vertices = all.subspan(low, high - low + 1);
+  MergedVertices merged{low, std::vector<std::uint32_t>(vertices.size())};
+  std::vector<std::uint32_t> table(std::bit_ceil(2 * vertices.size()), kNone);
+  for (std::uint32_t v = 0; v < vertices.size(); ++v) {
+    std::size_t slot = hashOf(vertices[v].position) % table.size();
+    while (table[slot] != kNone && vertices[table[slot]].position != vertices[v].position)
+      slot = (slot + 1) % table.size();
+    if (table[slot] == kNone) table[slot] = v;
+    merged.stands[v] = low + table[slot];
   }
   return merged;
 }
 
+// Sorted by their vertices and triangles: counted out by the first vertex, of which each has few.
 std::vector<Side> sidesOf(const Scene& scene, const Mesh& mesh) {
-  const std::vector<std::uint32_t> vertices = mergedVertices(scene, mesh);
-  std::vector<Side> sides;
-  sides.reserve(vertices.size());
-  for (std::uint32_t t = 0; t < mesh.triangleCount; ++t)
-    for (std::uint32_t c = 0; c < 3; ++c) {
-      const std::uint32_t a = vertices[3 * t + c], b = vertices[3 * t + (c + 1) % 3];
-      sides.push_back({std::min(a, b), std::max(a, b), mesh.firstTriangle + t, a > b, c});
-    }
-  std::ranges::sort(sides, {}, [](const Side& s) { return std::tuple(s.low, s.high, s.triangle); });
+  if (mesh.triangleCount == 0) return {};
+  const auto indices = std::span(scene.indices)
+                           .subspan(std::size_t{3} * mesh.firstTriangle, std::size_t{3} * mesh.triangleCount);
+  const auto [first, stands] = mergedVertices(scene.vertices, indices);
+  const auto sideOf = [&](std::uint32_t i) {
+    const std::uint32_t triangle = i / 3, edge = i % 3;
+    const std::uint32_t a = stands[indices[i] - first],
+                        b = stands[indices[3 * triangle + (edge + 1) % 3] - first];
+    return Side{std::min(a, b), std::max(a, b), mesh.firstTriangle + triangle, a > b, edge};
+  };
+  std::vector<std::uint32_t> end(stands.size());  // of the sides whose first vertex this is
+  for (std::uint32_t i = 0; i < indices.size(); ++i) ++end[sideOf(i).low - first];
+  std::exclusive_scan(end.begin(), end.end(), end.begin(), 0u);
+  std::vector<Side> sides(indices.size());
+  for (std::uint32_t i = 0; i < indices.size(); ++i) {
+    const Side side = sideOf(i);
+    sides[end[side.low - first]++] = side;
+  }
+  std::uint32_t begin = 0;
+  for (const std::uint32_t last : end) {
+    std::sort(sides.begin() + begin, sides.begin() + last, [](const Side& a, const Side& b) {
+      return std::tie(a.high, a.triangle, a.edge) < std::tie(b.high, b.triangle, b.edge);
+    });
+    begin = last;
+  }
   return sides;
 }
 

@@ -35,20 +35,26 @@ dvec3 cornerOf(const WorldBox& box, int corner) {
   return dvec3(box.centre) + signs * dvec3(box.extent);
 }
 
-void eachCornerWithin(const WorldBox& box, const Planes& planes,
-                      const std::function<void(const dvec3&)>& each) {
+std::optional<Planes> cutting(const WorldBox& box, const Planes& planes) {
   Planes across;
   for (const dvec4& plane : planes) {
     const Side side = sideOf(box, plane);
-    if (side == Side::outside) return;
+    if (side == Side::outside) return std::nullopt;
     if (side == Side::across) across.push_back(plane);
   }
-  if (across.empty()) {
+  return across;
+}
+
+void eachCornerWithin(const WorldBox& box, const Planes& planes,
+                      const std::function<void(const dvec3&)>& each) {
+  const std::optional<Planes> across = cutting(box, planes);
+  if (!across) return;
+  if (across->empty()) {
     for (int i = 0; i < 8; ++i) each(cornerOf(box, i));
     return;
   }
   Polytope seen(dvec3(box.centre - box.extent), dvec3(box.centre + box.extent));
-  for (const dvec4& plane : across) seen.clip(plane);
+  for (const dvec4& plane : *across) seen.clip(plane);
   seen.eachCorner(each);
 }
 

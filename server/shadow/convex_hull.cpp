@@ -1,6 +1,7 @@
 #include "shadow/convex_hull.h"
 
 #include <algorithm>
+#include <array>
 
 namespace sundial {
 
@@ -35,10 +36,41 @@ std::vector<dvec2> withoutShortSides(std::span<const dvec2> hull) {
   return kept;
 }
 
+// The points without most of those that lie within others: within the hull of the farthest ones in eight
+// directions [Akl and Toussaint 1978].
+std::vector<dvec2> withoutInnermost(std::span<const dvec2> points) {
+  constexpr std::array<dvec2, 4> kDirections = {dvec2(1, 0), dvec2(1, 1), dvec2(0, 1), dvec2(-1, 1)};
+  std::array<double, 4> least, most;
+  least.fill(1e300);
+  most.fill(-1e300);
+  std::array<dvec2, 8> farthest{};
+  for (const dvec2& p : points)
+    for (std::size_t i = 0; i < 4; ++i) {
+      const double along = glm::dot(kDirections[i], p);
+      if (along > most[i]) most[i] = along, farthest[i] = p;
+      if (along < least[i]) least[i] = along, farthest[4 + i] = p;
+    }
+  std::vector<dvec2> kept;
+  const auto inner = [&](const dvec2& p) {
+    for (std::size_t i = 0; i < 8; ++i)
+      if (!(cross(farthest[(i + 1) % 8] - farthest[i], p - farthest[i]) >= 0)) return false;
+    return true;
+  };
+  for (const dvec2& p : points)
+    if (!inner(p)) kept.push_back(p);
+  kept.insert(kept.end(), farthest.begin(), farthest.end());
+  return kept;
+}
+
+Rectangle quarterTurned(const Rectangle& r) {
+  return {turned(r.axis), {r.low.y, -r.high.x}, {r.high.y, -r.low.x}};
+}
+
 }  // namespace
 
 std::vector<dvec2> convexHull(std::span<const dvec2> points) {
-  std::vector<dvec2> sorted(points.begin(), points.end());
+  if (points.empty()) return {};
+  std::vector<dvec2> sorted = withoutInnermost(points);
   std::ranges::sort(sorted,
                     [](const dvec2& a, const dvec2& b) { return a.x != b.x ? a.x < b.x : a.y < b.y; });
   const auto repeated = std::ranges::unique(sorted);
@@ -53,13 +85,40 @@ std::vector<dvec2> convexHull(std::span<const dvec2> points) {
   return hull;
 }
 
-Rectangle smallestRectangle(std::span<const dvec2> corners) {
+bool holds(std::span<const dvec2> hull, const dvec2& point) {
+  if (hull.size() < 3) return false;
+  // The triangle about the first corner in whose angle the point lies.
+  const dvec2 from = point - hull[0];
+  std::size_t right = 1, left = hull.size() - 1;
+  if (cross(hull[right] - hull[0], from) < 0 || cross(hull[left] - hull[0], from) > 0) return false;
+  while (left - right > 1) {
+    const std::size_t middle = (right + left) / 2;
+    (cross(hull[middle] - hull[0], from) >= 0 ? right : left) = middle;
+  }
+  return cross(hull[left] - hull[right], point - hull[right]) >= 0;
+}
+
+Rectangle smallestRectangle(std::span<const dvec2> corners, const dvec2& texels) {
   if (corners.empty()) return {};
   const std::vector<dvec2> hull = withoutShortSides(corners);
   const std::size_t n = hull.size();
   if (n == 1) return {{1, 0}, hull[0], hull[0]};
 
-  Rectangle best;
+  Rectangle unturned;
+  for (const dvec2& p : hull) {
+    unturned.low = glm::min(unturned.low, p);
+    unturned.high = glm::max(unturned.high, p);
+  }
+  Rectangle best = unturned;
+  const auto texelSides = [&](const Rectangle& r) {
+    const dvec2 texel = (r.high - r.low) / texels;
+    return texel.x + texel.y;
+  };
+  const auto consider = [&](const Rectangle& r) {
+    for (const Rectangle& turn : {r, quarterTurned(r)})
+      if (texelSides(turn) < (1 - 1e-6) * texelSides(best) && r.area() <= unturned.area()) best = turn;
+  };
+  consider(unturned);
   std::size_t right = 0, top = 0, left = 0;
   for (std::size_t i = 0; i < n; ++i) {
     const dvec2 u = glm::normalize(hull[(i + 1) % n] - hull[i]), v = turned(u);
@@ -76,10 +135,9 @@ Rectangle smallestRectangle(std::span<const dvec2> corners) {
     moveOn(top, v);
     if (i == 0) left = top;
     moveOn(left, -u);
-    const Rectangle around{u,
-                           {glm::dot(hull[left], u), glm::dot(hull[i], v)},
-                           {glm::dot(hull[right], u), glm::dot(hull[top], v)}};
-    if (best.empty() || around.area() < best.area()) best = around;
+    consider({u,
+              {glm::dot(hull[left], u), glm::dot(hull[i], v)},
+              {glm::dot(hull[right], u), glm::dot(hull[top], v)}});
   }
   // All corners, those left out too.
   for (const dvec2& p : corners) {

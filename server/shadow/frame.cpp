@@ -116,18 +116,14 @@ void Frame::look(const FrameView& view) {
 // With what a cube's faces hold of the scene.
 shared::FrameConstants Frame::settledConstants() {
   shared::FrameConstants c = constantsOf(view_, method_);
-  if (method_.stages && method_.stages->partition == Partition::cube) fitFaces(c, method_, boxes());
+  if (method_.stages && method_.stages->partition == Partition::cube)
+    fitFaces(c, method_, clusters().boxes());
   return c;
 }
 
-std::span<const WorldBox> Frame::boxes() {
-  if (!boxes_.empty() && boxesAt_ == view_.origin) return boxes_;
-  boxes_.clear();
-  boxesAt_ = view_.origin;
-  const std::vector<WorldBox> all = worldBoxes(view_.scene, view_.origin);
-  for (std::size_t i = 0; i < all.size(); ++i)
-    if (view_.scene.draws()[i].instance != shared::kNoInstance) boxes_.push_back(all[i]);
-  return boxes_;
+const PlacedClusters& Frame::clusters() {
+  if (!clusters_ || clusters_->origin() != view_.origin) clusters_.emplace(view_.scene, view_.origin);
+  return *clusters_;
 }
 
 std::vector<Pass> Frame::passes() {
@@ -205,9 +201,9 @@ std::vector<Pass> Frame::passes() {
 void Frame::fit() {
   shared::FrameConstants fitted = settledConstants();
   if (method_.stages->partition == Partition::cube)
-    fitMinimalFaces(fitted, boxes());
+    fitMinimalFaces(fitted, clusters());
   else
-    fitMinimalFrustum(fitted, boxes());
+    fitMinimalFrustum(fitted, clusters());
   *constants_.mapped<shared::FrameConstants>() = fitted;
 }
 

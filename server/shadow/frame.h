@@ -6,8 +6,8 @@
 
 #include "reference/reference.h"
 #include "shadow/frame_pipelines.h"
-#include "shadow/host_cull.h"
 #include "shadow/method.h"
+#include "shadow/placed_clusters.h"
 #include "shadow/raster_choice.h"
 #include "shadow/scene_buffers.h"
 #include "shadow/shadow_volumes.h"
@@ -77,7 +77,7 @@ class Frame {
 
  private:
   shared::FrameConstants settledConstants();
-  std::span<const WorldBox> boxes();
+  const PlacedClusters& clusters();
   void fit();
   void gbuffer(VkCommandBuffer) const;
   void analyze(VkCommandBuffer) const;
@@ -121,9 +121,8 @@ class Frame {
   BindingSet bindings_;
   // plan=readback alone: the plan on its way to the host, and what the host leaves of the draws.
   std::optional<Buffer> hostPlan_, hostCommands_, hostCounts_;
-  // focus=calipers and partition=cube alone: the scene's boxes, relative to an origin.
-  std::vector<WorldBox> boxes_;
-  glm::dvec3 boxesAt_{0};
+  // focus=calipers and partition=cube alone: the scene's clusters.
+  std::optional<PlacedClusters> clusters_;
   mutable std::optional<glm::dvec3> analysedAt_;  // the origin of the last analysis that was recorded
   std::optional<ShadowVolumes> volumes_;
   // Ray tracing alone: view samples on their way to the host, visibility on its way back.

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "shadow/polygon.h"
+
 namespace sundial {
 
 namespace {
@@ -39,18 +41,8 @@ Polytope::Polytope(const dvec3& low, const dvec3& high) {
 
 void Polytope::clip(const dvec4& plane) {
   Face cut;
-  for (Face& face : faces_) {
-    Face kept;
-    for (std::size_t i = 0; i < face.size(); ++i) {
-      const dvec3 &a = face[i], &b = face[(i + 1) % face.size()];
-      const double heightA = glm::dot(plane, dvec4(a, 1)), heightB = glm::dot(plane, dvec4(b, 1));
-      if (heightA >= 0) kept.push_back(a);
-      if ((heightA >= 0) == (heightB >= 0)) continue;
-      kept.push_back(a + (b - a) * (heightA / (heightA - heightB)));
-      cut.push_back(kept.back());
-    }
-    face = std::move(kept);
-  }
+  const auto height = [&](const dvec3& p) { return glm::dot(plane, dvec4(p, 1)); };
+  for (Face& face : faces_) sundial::clip(face, height, [&](const dvec3& corner) { cut.push_back(corner); });
   std::erase_if(faces_, [](const Face& face) { return face.empty(); });
   if (cut.size() < 3) return;
   orderAround(cut, dvec3(plane));

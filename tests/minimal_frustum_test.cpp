@@ -60,35 +60,54 @@ TEST(ConvexHull, OfPointsWithoutArea) {
   EXPECT_EQ(convexHull(line), (std::vector<dvec2>{{0, 0}, {7, 14}}));
 }
 
-// The least area over many angles.
-double bruteForce(const std::vector<dvec2>& points) {
-  double best = 1e300;
-  for (int i = 0; i < 20000; ++i) {
-    const double angle = std::numbers::pi / 2 * i / 20000;
-    const dvec2 u(std::cos(angle), std::sin(angle)), v(-u.y, u.x);
-    dvec2 low(1e300), high(-1e300);
-    for (const dvec2& p : points) {
-      low = glm::min(low, dvec2(glm::dot(p, u), glm::dot(p, v)));
-      high = glm::max(high, dvec2(glm::dot(p, u), glm::dot(p, v)));
-    }
-    best = std::min(best, (high.x - low.x) * (high.y - low.y));
+double sidesOf(const Rectangle& r, const dvec2& texels = dvec2(1)) {
+  const dvec2 texel = (r.high - r.low) / texels;
+  return texel.x + texel.y;
+}
+
+Rectangle around(const std::vector<dvec2>& points, double angle) {
+  Rectangle r{{std::cos(angle), std::sin(angle)}};
+  for (const dvec2& p : points) {
+    const dvec2 at(glm::dot(p, r.axis), glm::dot(p, dvec2(-r.axis.y, r.axis.x)));
+    r.low = glm::min(r.low, at);
+    r.high = glm::max(r.high, at);
   }
+  return r;
+}
+
+// The least sum of a texel's sides over many angles.
+double bruteForce(const std::vector<dvec2>& points, const dvec2& texels = dvec2(1)) {
+  double best = 1e300;
+  for (int i = 0; i < 40000; ++i)
+    best = std::min(best, sidesOf(around(points, std::numbers::pi * i / 40000), texels));
   return best;
 }
 
 TEST(SmallestRectangle, IsTheBestOfAllAngles) {
-  for (std::size_t count = 3; count < 60; ++count) {
-    const auto points = randomPoints(count, 1000 + count);
-    const Rectangle r = smallestRectangle(convexHull(points));
-    const double brute = bruteForce(points);
-    EXPECT_LE(r.area(), brute * (1 + 1e-9)) << count;
-    EXPECT_GE(r.area(), brute * 0.998) << count;
-    EXPECT_NEAR(glm::length(r.axis), 1, 1e-12);
-    for (const dvec2& p : points) {
-      const dvec2 q(glm::dot(p, r.axis), glm::dot(p, dvec2(-r.axis.y, r.axis.x)));
-      EXPECT_TRUE(glm::all(glm::greaterThan(q, r.low - 1e-9)) && glm::all(glm::lessThan(q, r.high + 1e-9)));
+  for (const dvec2 texels : {dvec2(1), dvec2(1, 3), dvec2(200, 100)})
+    for (std::size_t count = 3; count < 40; ++count) {
+      const auto points = randomPoints(count, 1000 + count);
+      const Rectangle r = smallestRectangle(convexHull(points), texels);
+      const double brute = bruteForce(points, texels);
+      EXPECT_LE(sidesOf(r, texels), brute * (1 + 2e-6)) << count;
+      EXPECT_GE(sidesOf(r, texels), brute * 0.998) << count;
+      EXPECT_LE(r.area(), around(points, 0).area());
+      EXPECT_NEAR(glm::length(r.axis), 1, 1e-12);
+      for (const dvec2& p : points) {
+        const dvec2 q(glm::dot(p, r.axis), glm::dot(p, dvec2(-r.axis.y, r.axis.x)));
+        EXPECT_TRUE(glm::all(glm::greaterThan(q, r.low - 1e-9)) && glm::all(glm::lessThan(q, r.high + 1e-9)));
+      }
     }
+}
+
+TEST(SmallestRectangle, TurnsOnlyForABetterOne) {
+  // Every side of a regular polygon has as good a rectangle, up to rounding.
+  std::vector<dvec2> points;
+  for (int i = 0; i < 128; ++i) {
+    const double angle = 2 * std::numbers::pi * (i + 0.5) / 128;
+    points.emplace_back(std::cos(angle), std::sin(angle));
   }
+  EXPECT_EQ(smallestRectangle(convexHull(points)).axis, dvec2(1, 0));
 }
 
 TEST(SmallestRectangle, CornersThatAllButCoincideDontMislead) {
@@ -99,7 +118,7 @@ TEST(SmallestRectangle, CornersThatAllButCoincideDontMislead) {
       for (int again = 0; again < 4; ++again)
         points.push_back(points[i] + 1e-13 * dvec2(random.range(-1, 1), random.range(-1, 1)));
     const Rectangle r = smallestRectangle(convexHull(points));
-    EXPECT_NEAR(r.area(), bruteForce(points), 0.002 * r.area()) << count;
+    EXPECT_NEAR(sidesOf(r), bruteForce(points), 0.002 * sidesOf(r)) << count;
   }
 }
 
@@ -157,6 +176,64 @@ TEST_F(FrameMinimal, ALeaningPlateGetsNoMoreThanItself) {
   const Light light{.direction = glm::normalize(dvec3(0.1, -1, 1))};
   const Rendering r = render(scene, whole, light, {64, 64}, "msf,texels=128");
   EXPECT_LE(texelArea(r), 1.0001 * texelArea(render(scene, whole, light, {64, 64}, "sm,texels=128")));
+}
+
+// Two triangles that fill half of their box, all in view.
+TEST_F(FrameMinimal, TurnsToAPlateThatStandsOnItsCorner) {
+  SceneBuilder builder("diamond");
+  builder.addMaterial({.gpu = {glm::vec4(1), 0, shared::kNoTexture, 0, 0}, .doubleSided = true});
+  const auto plate = builder.addMesh("plate", {{.positions = {{5, 0, 0}, {0, 0, -5}, {-5, 0, 0}, {0, 0, 5}},
+                                                .indices = {0, 1, 2, 0, 2, 3}}});
+  builder.addInstance("plate", plate, glm::dmat4(1));
+  const auto scene = sharedScene(std::move(builder).finish());
+  const View whole{.eye = {0, 12, 8}, .target = {0, 0, 0}, .verticalFovDegrees = 70};
+  for (const Light& light : {sun(80, 0), spot({0, 20, 0}, {0.1, 0, 0}, 60)}) {
+    const Rendering r = render(scene, whole, light, {64, 64}, "msf,texels=128");
+    EXPECT_LT(texelArea(r), 0.55 * texelArea(render(scene, whole, light, {64, 64}, "sm,texels=128")));
+    EXPECT_EQ(r.result.measures->pixelMatch, 1);
+  }
+}
+
+// A wall that is lit from behind: the camera sees nothing of it that asks the map, but its shadow.
+TEST_F(FrameMinimal, LeavesOutSidesThatTurnAwayFromTheLight) {
+  const View view{.eye = {0, 3, 12}, .target = {0, 2, 0}, .verticalFovDegrees = 70};
+  const Light light{.direction = glm::normalize(dvec3(0.1, -1, 0.5))};
+  const auto rendered = [&](bool withWall, std::string_view method) {
+    SceneBuilder builder("wall");
+    builder.addMaterial({.gpu = {glm::vec4(1), 0, shared::kNoTexture, 0, 0}, .doubleSided = true});
+    const auto floor = builder.addMesh(
+        "floor",
+        {{.positions = {{-5, 0, -3}, {-5, 0, 5}, {5, 0, 5}, {5, 0, -3}}, .indices = {0, 1, 2, 0, 2, 3}}});
+    const auto wall = builder.addMesh(
+        "wall",
+        {{.positions = {{-12, 0, 0}, {12, 0, 0}, {12, 4, 0}, {-12, 4, 0}}, .indices = {0, 1, 2, 0, 2, 3}}});
+    builder.addInstance("floor", floor, glm::dmat4(1));
+    if (withWall) builder.addInstance("wall", wall, glm::dmat4(1));
+    return render(sharedScene(std::move(builder).finish()), view, light, {160, 120}, method);
+  };
+  const Rendering r = rendered(true, "msf,texels=512");
+  EXPECT_LE(texelArea(r), 1.001 * texelArea(rendered(false, "msf,texels=512")));
+  EXPECT_LT(texelArea(r), 0.7 * texelArea(rendered(true, "sm,texels=512")));
+  EXPECT_GT(r.result.measures->pixelMatch, 0.995);
+  EXPECT_EQ(r.result.measures->interiorError, 0);
+}
+
+// Lookups that look around their texel find at a map's sides what they find in a map of the whole scene.
+TEST_F(FrameMinimal, FiltersFindNothingWrongAtTheSides) {
+  const auto scene = builtin("trees?count=40");
+  for (const std::string_view lookup :
+       {"lookup=pcf,kernel=9", "storage=triangle,lookup=spsm", "storage=triangle,lookup=rgsm"})
+    for (const char* light : {"sun", "low"}) {
+      SCOPED_TRACE(fmt::format("{} {}", lookup, light));
+      const auto measured = [&](const char* name) {
+        const Rendering r = render(scene, viewOf(*scene, "main"), lightOf(*scene, light), {160, 120},
+                                   fmt::format("{},texels=512,{}", name, lookup));
+        return *r.result.measures;
+      };
+      const auto fitted = measured("msf"), whole = measured("sm");
+      EXPECT_LE(fitted.meanAbsError, whole.meanAbsError + 0.003);
+      EXPECT_LE(fitted.interiorError, whole.interiorError + 0.003);
+    }
 }
 
 TEST_F(FrameMinimal, HoldsAllThatIsSeenInLessThanTheScene) {

@@ -42,7 +42,7 @@ class OutlineSearch {
  public:
   OutlineSearch(const LitPart& part, const PlacedClusters& clusters)
       : part_(part), clusters_(clusters), lightFromWorld_(part.lightFromWorld) {
-    if (hasCone())
+    if (std::isfinite(part.coneRadius))
       for (int i = 0; i < kConeSides; ++i) {
         const double angle = 2 * std::numbers::pi * i / kConeSides;
         aroundCone_.emplace_back(std::cos(angle), std::sin(angle));
@@ -57,18 +57,20 @@ class OutlineSearch {
   }
 
  private:
-  bool hasCone() const { return std::isfinite(part_.coneRadius); }
-
   Projected projected(const dvec3& corner) const {
     const dvec4 light = lightFromWorld_ * dvec4(corner, 1);
     return {dvec2(light) / light.w, light.z / light.w};
   }
 
   // The cone is a disc after division.
-  void clipByCone(std::vector<dvec2>& polygon) const {
+  bool isInCone(std::span<const dvec2> points) const {
     const double radius = part_.coneRadius;
-    const auto inCone = [&](const dvec2& p) { return glm::dot(p, p) <= radius * radius; };
-    if (std::ranges::all_of(polygon, inCone)) return;
+    return std::ranges::all_of(points, [&](const dvec2& p) { return glm::dot(p, p) <= radius * radius; });
+  }
+
+  void clipByCone(std::vector<dvec2>& polygon) const {
+    if (isInCone(polygon)) return;
+    const double radius = part_.coneRadius;
     for (const dvec2& outwards : aroundCone_) {
       const auto height = [&](const dvec2& p) { return radius - glm::dot(outwards, p); };
       if (std::ranges::any_of(polygon, [&](const dvec2& p) { return height(p) < 0; })) clip(polygon, height);
@@ -83,7 +85,7 @@ class OutlineSearch {
       corners.push_back(at);
       open.farZ = std::min(open.farZ, z);
     });
-    if (hasCone()) {
+    if (!isInCone(corners)) {
       corners = convexHull(corners);
       clipByCone(corners);
     }

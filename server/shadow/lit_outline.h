@@ -14,9 +14,9 @@ struct Outline {
 };
 
 // Holds every sample that faces the light, but for those of triangles seen edge on, which rounding puts
-// elsewhere (samples.frag): the hull of what could be seen lit of all triangles. It is found from the clusters'
-// boxes, and from triangles wherever a box would be a corner of it, so that few clusters are looked into; some
-// such boxes stay where it takes too many steps. A spot's cone is cut by lines around it.
+// elsewhere (samples.frag): the hull of what could be seen lit of all triangles. It is found from the
+// clusters' boxes, and from triangles wherever a box would be a corner of it, so that few clusters are looked
+// into; some such boxes stay where it takes too many steps. A spot's cone is cut by lines around it.
 Outline litOutline(const LitPart&, const PlacedClusters&);
 
 }  // namespace sundial

@@ -1,6 +1,7 @@
-// focus=calipers: the smallest frustum of the light that holds what the camera could see lit of the scene, found
-// on the host, without looking at samples [NOTW, section 3.2]. Beyond the paper, which fits the clusters in
-// view: triangles stand for the clusters at the outline, and those that can't be lit are left out.
+// focus=calipers: the smallest frustum of the light that holds what the camera could see lit of the scene,
+// found on the host, without looking at samples [NOTW, section 3.2]. Beyond the paper, which fits the
+// clusters in view: triangles stand for the clusters at the outline, and those that can't be lit are left
+// out.
 #pragma once
 
 #include "shadow/placed_clusters.h"
@@ -9,8 +10,8 @@
 namespace sundial {
 
 // Turns light space about the light, and sets what of it the map covers (PlanSettings::lsFitMin, lsFitMax):
-// the rectangle around litOutline() whose texels are smallest (smallestRectangle()); in depth from the nearest
-// box above that rectangle to the farthest point of what could be seen. From settled constants
+// the rectangle around litOutline() whose texels are smallest (smallestRectangle()); in depth from the
+// nearest box above that rectangle to the farthest point of what could be seen. From settled constants
 // (plan_settings.h).
 void fitMinimalFrustum(shared::FrameConstants&, const PlacedClusters&);
 

@@ -14,7 +14,8 @@ class Onlookers {
 
   // False only where no sample of the triangle faces the light, whatever a sample's normal and position lose
   // by rounding: a sample's normal is its triangle's and faces the camera, so that camera and light must be
-  // on the same side of its plane; on its front, if it is drawn from there alone.
+  // on the same side of its plane; on its front, if it is drawn from there alone. `stretch`: stretchOf() its
+  // placement.
   bool mayBeLit(const PlacedTriangle&, bool doubleSided, double stretch) const;
 
  private:
@@ -23,7 +24,7 @@ class Onlookers {
   double pixelWidth_;  // metres at depth 1
 };
 
-// At least how many times longer than another a vector can become that was as long. `worldFromMesh` isn't
+// A bound of how many times longer than another a vector becomes that was as long. `worldFromMesh` isn't
 // singular.
 double stretchOf(const glm::dmat4& worldFromMesh);
 

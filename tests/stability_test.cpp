@@ -1,190 +1,14 @@
-// What flips and what doesn't: the counting by itself, paths, the choice of points, and whole runs on the
-// device.
+// What flips and what doesn't, along paths, on the device.
 #include <gtest/gtest.h>
 
-#include <algorithm>
-#include <cmath>
 #include <map>
-#include <numbers>
 
 #include "renderer.h"
 #include "scene/load.h"
-#include "stability/cases.h"
-#include "stability/flips.h"
 #include "stability/path.h"
-#include "stability/points.h"
 
 namespace sundial {
 namespace {
-
-// --- Counting
-
-constexpr PointState kSeen = kPointSeen, kLit = kPointSeen | kPointLit, kTruth = kPointSeen | kPointTruthLit,
-                     kBoth = kLit | kTruth;
-
-TEST(Flips, AnAnswerThatChangesAloneIsAFlip) {
-  FlipCounter counter;
-  counter.add(std::vector<PointState>{kBoth, kSeen, kLit, kTruth});
-  const StabilityFrame frame = counter.add(std::vector<PointState>{kTruth, kLit, kLit, kTruth});
-  EXPECT_EQ(frame.pairs, 4u);
-  EXPECT_EQ(frame.flips, 2u);
-  EXPECT_EQ(counter.flipped(), (std::vector<std::uint32_t>{0, 1}));
-}
-
-TEST(Flips, AChangeThatTheTruthSharesIsNone) {
-  FlipCounter counter;
-  counter.add(std::vector<PointState>{kBoth, kSeen, kTruth, kLit});
-  const StabilityFrame frame = counter.add(std::vector<PointState>{kSeen, kBoth, kLit, kTruth});
-  EXPECT_EQ(frame.pairs, 4u);
-  EXPECT_EQ(frame.flips, 0u);
-}
-
-TEST(Flips, ATruthThatChangesAloneIsNone) {
-  FlipCounter counter;
-  counter.add(std::vector<PointState>{kSeen});
-  EXPECT_EQ(counter.add(std::vector<PointState>{kTruth}).flips, 0u);
-}
-
-TEST(Flips, OnlyPointsSeenInBothFramesFromOneSideCount) {
-  FlipCounter counter;
-  const PointState back = kPointBack;
-  counter.add(std::vector<PointState>{kLit, 0, kLit, kLit, PointState(kLit | back)});
-  const StabilityFrame frame = counter.add(
-      std::vector<PointState>{0, kLit, PointState(kSeen | back), kSeen, PointState(kSeen | back)});
-  EXPECT_EQ(frame.pairs, 2u);
-  EXPECT_EQ(frame.flips, 2u);
-  EXPECT_EQ(counter.flipped(), (std::vector<std::uint32_t>{3, 4}));
-}
-
-TEST(Flips, ComparesWithTheFrameJustBefore) {
-  FlipCounter counter;
-  std::vector<std::uint64_t> flips;
-  for (const PointState state : {kLit, kSeen, kSeen, kLit, PointState(0), kSeen, kLit})
-    flips.push_back(counter.add(std::vector<PointState>{state}).flips);
-  EXPECT_EQ(flips, (std::vector<std::uint64_t>{0, 1, 0, 1, 0, 0, 1}));
-}
-
-TEST(Flips, WrongAnswersAreCountedWherePointsAreSeen) {
-  FlipCounter counter;
-  const StabilityFrame frame =
-      counter.add(std::vector<PointState>{kBoth, kSeen, kLit, kTruth, kPointLit, kPointTruthLit});
-  EXPECT_EQ(frame.seen, 4u);
-  EXPECT_EQ(frame.wrong, 2u);
-}
-
-TEST(Flips, RatesAreSharesOfPairs) {
-  const StabilityResult result =
-      summed({{.frame = 0, .pairs = 0, .flips = 0, .seen = 10, .wrong = 1, .dark = 4, .bleed = 1, .drawn = 3},
-              {.frame = 1,
-               .pairs = 8,
-               .flips = 2,
-               .seen = 10,
-               .wrong = 2,
-               .texelJump = 0.5,
-               .pixels = 90,
-               .wrongPixels = 9},
-              {.frame = 2,
-               .pairs = 2,
-               .flips = 1,
-               .seen = 5,
-               .wrong = 2,
-               .dark = 6,
-               .bleed = 0,
-               .texelJump = 0.25,
-               .pixels = 30,
-               .wrongPixels = 9}});
-  EXPECT_DOUBLE_EQ(result.flipRate, 0.3);
-  EXPECT_DOUBLE_EQ(result.pop, 0.5);
-  EXPECT_DOUBLE_EQ(result.wrongRate, 0.2);
-  EXPECT_DOUBLE_EQ(result.wrongPixels, 0.15);
-  EXPECT_DOUBLE_EQ(result.texelJump, 0.5);
-  EXPECT_DOUBLE_EQ(result.bleed, 0.1) << "of all dark points";
-  EXPECT_DOUBLE_EQ(result.drawn, 1) << "a mean of the frames";
-  EXPECT_EQ(summed({}).flipRate, 0);
-}
-
-// --- Paths
-
-TEST(Paths, BeginAndEndAtTheirKeys) {
-  const std::vector<View> keys{{.eye = {0, 1, 0}, .target = {1, 1, 1}, .verticalFovDegrees = 40},
-                               {.eye = {0.1, 7, 3}, .target = {1, 1, 1}, .verticalFovDegrees = 50},
-                               {.eye = {0.7, 1, 0.3}, .target = {2, 0.1, 1}, .verticalFovDegrees = 63}};
-  for (const unsigned frames : {2u, 3u, 7u, 240u}) {
-    const auto views = viewsAlong(keys, frames);
-    ASSERT_TRUE(views) << views.error().message;
-    ASSERT_EQ(views->size(), frames);
-    EXPECT_EQ(views->front().eye, keys.front().eye);
-    EXPECT_EQ(views->back().eye, keys.back().eye);
-    EXPECT_EQ(views->back().target, keys.back().target);
-    EXPECT_EQ(views->back().verticalFovDegrees, 63);
-  }
-  const auto five = viewsAlong(keys, 5);
-  EXPECT_EQ((*five)[2].eye, keys[1].eye);
-  EXPECT_EQ((*five)[1].eye, glm::dvec3(0.05, 4, 1.5));
-  EXPECT_EQ((*viewsAlong(keys, 1))[0].eye, keys[0].eye);
-}
-
-TEST(Paths, StandStillExactlyBetweenEqualKeys) {
-  const View view{.eye = {0.1, 0.7, 0.3}, .target = {1.1, 0.9, 0.7}};
-  const auto views = viewsAlong(std::vector{view, view, view}, 11);
-  ASSERT_TRUE(views);
-  for (const View& v : *views) EXPECT_TRUE(v.eye == view.eye && v.target == view.target);
-}
-
-TEST(Paths, SayWhereTheyCannotBeFollowed) {
-  const View ahead{.eye = {0, 0, 0}, .target = {0, 0, -1}}, behind{.eye = {0, 0, 0}, .target = {0, 0, 1}};
-  const auto views = viewsAlong(std::vector{ahead, behind}, 3);
-  ASSERT_FALSE(views);
-  EXPECT_EQ(views.error().code, ErrorCode::invalidArgument);
-  EXPECT_NE(views.error().message.find("keys 0 and 1"), std::string::npos) << views.error().message;
-  EXPECT_FALSE(viewsAlong({}, 3));
-}
-
-TEST(Paths, LightsTurnFromKeyToKey) {
-  const std::vector<Light> keys{{.direction = {1, 0, 0}}, {.direction = {0, -1, 0}}};
-  const auto lights = lightsAlong(keys, 3);
-  ASSERT_TRUE(lights) << lights.error().message;
-  EXPECT_EQ(lights->front().direction, keys[0].direction);
-  EXPECT_EQ(lights->back().direction, keys[1].direction);
-  EXPECT_NEAR((*lights)[1].direction.x, std::numbers::sqrt2 / 2, 1e-12);
-  EXPECT_NEAR(glm::length((*lights)[1].direction), 1, 1e-12);
-
-  EXPECT_FALSE(lightsAlong(std::vector<Light>{{.direction = {1, 0, 0}}, {.direction = {-1, 0, 0}}}, 3));
-  const auto mixed = lightsAlong(std::vector<Light>{{.kind = LightKind::spot}, {}}, 3);
-  ASSERT_FALSE(mixed);
-  EXPECT_NE(mixed.error().message.find("kinds"), std::string::npos);
-}
-
-// --- Points
-
-TEST(Points, AreSpreadByArea) {
-  // Two pixels of equal depth, one facing the camera, one at an angle that makes its surface four times as
-  // large.
-  shared::FrameConstants constants{};
-  constants.clipFromWorld[2][3] = -1;  // looks along -z; w is the depth
-  constants.wsRayPerPixelX = {1, 0, 0};
-  constants.wsRayPerPixelY = {0, 1, 0};
-  const float slant = 0.25f;
-  std::vector<shared::ViewSample> samples;
-  for (int i = 0; i < 20000; ++i)
-    samples.push_back(
-        {.wsPosition = {0, 0, -1},
-         .instance = 0,
-         .wsNormal = i % 2 ? glm::vec3(0, 0, 1) : glm::vec3(std::sqrt(1 - slant * slant), 0, slant),
-         .triangle = 0});
-  Scene scene;
-  scene.clusters.push_back({.firstIndex = 0, .indexCount = 3, .material = 0});
-  scene.materials.emplace_back();
-  PointChooser chooser(1000, 7);
-  chooser.add(0, samples, constants, glm::dvec3(0));
-  int large = 0;
-  const auto points = chooser.take(scene);
-  ASSERT_EQ(points.size(), 1000u);
-  for (const SurfacePoint& point : points) large += point.normal.x > 0.5f;
-  EXPECT_NEAR(large, 800, 50);
-}
-
-// --- Whole runs
 
 struct Collected final : StabilitySink {
   void onFrame(std::size_t, const StabilityFrame&) override { ++frames; }
@@ -411,25 +235,6 @@ TEST_F(StabilityTest, RefusesWhatIsOutOfRange) {
   wanted = job();
   wanted.methods.clear();
   refuses(wanted, "methods");
-}
-
-TEST(StabilityCases, NameWhatIsThere) {
-  for (const StabilityCase& row : stabilityCases()) {
-    SCOPED_TRACE(row.name);
-    for (const std::string_view name : {row.scene, row.twinScene}) {
-      if (name.empty()) continue;
-      ASSERT_TRUE(name.starts_with("builtin:"));
-      const auto scene = makeBuiltin(name.substr(8));
-      ASSERT_TRUE(scene) << scene.error().message;
-      const auto has = [](const auto& all, std::string_view wanted) {
-        return std::ranges::any_of(all, [&](const auto& one) { return one.name == wanted; });
-      };
-      EXPECT_EQ(row.path.empty(), !row.view.empty());
-      EXPECT_TRUE(row.path.empty() || has(scene->paths, row.path));
-      EXPECT_TRUE(row.view.empty() || has(scene->views, row.view));
-      EXPECT_TRUE(has(scene->lights, row.light));
-    }
-  }
 }
 
 }  // namespace

@@ -6,8 +6,12 @@
 // RUNS: timed frames of each method, 0 for no times.
 // Prints the tables of server/shadow/README.md under "Warps".
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
+#include <algorithm>
+#include <array>
 #include <cstdio>
+#include <iterator>
 #include <span>
 
 #include "bench/program.h"
@@ -44,10 +48,17 @@ const std::vector<Place> kSpread = {{"builtin:atrium", "", "sun"},
                                     {"builtin:observatory", "", "spot"},
                                     {"builtin:conference", "", "spot"},
                                     {"builtin:trees?count=40", "walk", "low"}};
-// The last spreads samples as evenly as any warp could: what it leaves is the pixels' grid.
+// The second spreads them more evenly than the row does; the last puts one wherever it can, and what it
+// leaves in their counts is the pixels' grid.
 std::vector<std::string> spreadMethods(int texels) {
   return {"rtw", "notw", fmt::format("notw,power=0.7,even=0.01,window={}", texels / 14),
-          fmt::format("notw,power=1,even=0.1,window={}", texels / 14), "notw,power=1,even=0.01,window=1"};
+          "notw,power=1,even=0.01,window=1"};
+}
+
+// Whether shadows' edges lie along texels decides much of what a single size shows.
+constexpr std::array kSizes = {480, 496, 512, 528, 544, 560};
+std::vector<std::string> sizedMethods(int texels) {
+  return {"sm", "msf", "dv", "rtw", "notw", spreadMethods(texels)[2]};
 }
 
 std::vector<std::string> withTexels(std::vector<std::string> methods, int texels = kTexels) {
@@ -111,6 +122,23 @@ void printWrong(Renderer& renderer, const std::vector<std::string>& files) {
   fmt::print("\n");
 }
 
+void printMeans(Renderer& renderer, const std::vector<std::string>& files) {
+  fmt::print("Wrong pixels, %, means of maps of {} texels a side\n\n", fmt::join(kSizes, ", "));
+  printHead("scene, view, light", sizedMethods(kTexels));
+  for (const Place& place : withFiles(kCounted, files)) {
+    std::vector<std::string> methods;
+    for (const int texels : kSizes)
+      std::ranges::copy(withTexels(sizedMethods(texels), texels), std::back_inserter(methods));
+    const auto results = resultsOf(renderer, jobAt(sightOf(place), kPicture, methods, 0));
+    std::vector<double> sums(results.size() / kSizes.size());
+    for (std::size_t m = 0; m < results.size(); ++m) sums[m % sums.size()] += wrongPercent(results[m]);
+    fmt::print("| {:28} |", nameOf(place));
+    for (const double sum : sums) fmt::print(" {:.3f} |", sum / kSizes.size());
+    endRow();
+  }
+  fmt::print("\n");
+}
+
 // How much samples per texel vary after the warp of a method, over how much they do before it; a pixel is cut
 // into so many.
 double variationLeft(const FrameScene& scene, const Method& method, unsigned side) {
@@ -134,7 +162,7 @@ void printSpread(Renderer& renderer, const std::vector<std::string>& files, int 
     fmt::print("| {:28} |", nameOf(place));
     for (const MethodResult& result :
          resultsOf(renderer, jobAt(sight, kPicture, withTexels(methods, texels), 0)))
-      fmt::print(" {:.2f}, {:.2f}, {:.3f} |", variationLeft(scene, result.method, 1),
+      fmt::print(" {:.3f}, {:.3f}, {:.3f} |", variationLeft(scene, result.method, 1),
                  variationLeft(scene, result.method, 4), wrongPercent(result));
     endRow();
   }
@@ -157,6 +185,7 @@ int run(const Arguments& arguments) {
   if (*runs > 0) printTimes(*renderer, *runs);
   const std::vector<std::string> files(rest.begin() + (rest.empty() ? 0 : 1), rest.end());
   printWrong(*renderer, files);
+  printMeans(*renderer, files);
   for (const int texels : {256, kTexels}) printSpread(*renderer, files, texels);
   return 0;
 }

@@ -81,7 +81,7 @@ const std::vector<Rule>& rules() {
         .defaultValue = kAuto,
         .description = "warp=rectilinear: over how many columns and rows importance is smoothed; auto: a "
                        "thirty-second of the map's side; non-orthogonal: how many neighbouring rows and "
-                       "columns are counted together, the farther away the less; auto: an eighth",
+                       "columns are counted together, the farther away the less; auto: a fifth",
         .choices = {kAuto}},
        [](const Stages& s) { return s.warp != Warp::none; },
        [](const std::string& text, Method::Settings& s) { s.window = unlessAuto(text); }},

@@ -185,7 +185,7 @@ void settle(shared::FrameConstants& c, const Method& method, const dvec3& origin
   if (stages.partition == Partition::tiles) to.mapSize = glm::uvec2(std::ranges::max(from.tileSizes));
   const double side = std::max(from.width, from.height);
   to.warpWindow =
-      static_cast<std::uint32_t>(from.window.value_or(side / (stages.warp == Warp::rectilinear ? 32 : 8)));
+      static_cast<std::uint32_t>(from.window.value_or(side / (stages.warp == Warp::rectilinear ? 32 : 5)));
   to.warpEntries = static_cast<std::uint32_t>(warpSizesOf(stages.warp, to.mapSize).functions);
   to.warpEvenShare = static_cast<float>(from.even);
   to.warpPower = static_cast<float>(from.power);

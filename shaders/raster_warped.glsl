@@ -11,15 +11,24 @@
 // What becomes of a covered texel: keep_depth.glsl.
 void keep(uint index, float depth, uint id);
 
-// A listed triangle has an entry for each so many of its columns, next to its view's number.
-const uint kColumnsPerEntry = 8, kEntriesPerGroup = 8, kViewBits = 8;
+// A listed triangle has an entry for each so many columns of a band.
+const uint kColumnsPerEntry = 8, kEntriesPerGroup = 8;
 const float kRounding = 1e-2;  // texels
+
+// View, band, and columns, in entries: what maps of 2^14 texels a side have of them.
+const uint kViewBits = 8, kBandBits = 11;
+uint entryOf(uint view, uint band, uint columns) { return view | (band | columns << kBandBits) << kViewBits; }
+void readEntry(uint entry, out uint view, out uint band, out uint column) {
+  view = bitfieldExtract(entry, 0, int(kViewBits));
+  band = bitfieldExtract(entry, int(kViewBits), int(kBandBits));
+  column = (entry >> (kViewBits + kBandBits)) * kColumnsPerEntry;
+}
 
 struct WarpedTriangle {
   uint view;
   bool drawn;      // false: it covers nothing
-  ivec2 columns;   // of the warped map, first and last
-  vec2 rows;       // the triangle's range before the warp, texels
+  vec2 low;        // the box around it before the warp, texels
+  vec2 high;
   vec2 reference;  // texels before the warp: edges are counted from here
   mat3 edges;      // columns: (a, b, c) with a x + b y + c >= 0 inside
   vec3 slack;      // a thousandth of a texel, so that neighbours leave no gap
@@ -45,9 +54,9 @@ ivec2 warpedColumns(uint view, vec2 low, vec2 high) {
       range = vec2(min(range.x, valueAt(table, low.x, last).x), max(range.y, valueAt(table, high.x, last).x));
     }
   } else {
-    // At most two groups of the first level that is as wide as the range.
+    // Of the first level of which two groups hold the range.
     uint level = kFirstLevel;
-    while ((1u << level) < to - from + 1) ++level;
+    while ((to >> level) > (from >> level) + 1) ++level;
     for (uint group = from >> level; group <= to >> level; ++group)
       range = vec2(min(range.x, boundsOf(view, level, group, low.x).x),
                    max(range.y, boundsOf(view, level, group, high.x).y));
@@ -62,9 +71,37 @@ ivec2 warpedRows(uint view, uint column, vec2 range) {
                min(floor(valueAt(table, range.y, last).x - 0.5 + kRounding), float(last - 1)));
 }
 
-// The same for a triangle. A rectilinear warp took all of a column from one x, where the edges tell the range of y.
-ivec2 rowsIn(WarpedTriangle t, uint column) {
-  vec2 range = t.rows;
+// A non-orthogonal warp leans: where a column of the map goes depends on the row. So a triangle is taken in bands of rows
+// before the warp, in which that changes little. They begin at the middles of rows, where groups of functions do.
+const uint kBandLevel = 4;
+uint bandOf(float y) { return kWarp == kWarpNonOrthogonal ? uint(max(y - 0.5, 0)) >> kBandLevel : 0; }
+
+vec2 rowsOf(WarpedTriangle t, uint band) {
+  vec2 rows = vec2(t.low.y, t.high.y);
+  if (band > bandOf(rows.x)) rows.x = float(band << kBandLevel) + 0.5;
+  if (band < bandOf(rows.y)) rows.y = float((band + 1) << kBandLevel) + 0.5;
+  return rows;
+}
+
+// The columns of the warped map that a band of the triangle may reach into: its box's, as far as no edge leaves all of the
+// band outside.
+ivec2 columnsOf(WarpedTriangle t, uint band) {
+  const vec2 rows = rowsOf(t, band), ends = rows - t.reference.y;
+  vec2 range = vec2(t.low.x, t.high.x);
+  if (kWarp == kWarpNonOrthogonal)
+    for (int i = 0; i < 3; ++i) {
+      const vec3 edge = t.edges[i];
+      const float most = max(edge.y * ends.x, edge.y * ends.y) + edge.z + 2 * t.slack[i];
+      if (edge.x > 0) range.x = max(range.x, t.reference.x - most / edge.x);
+      if (edge.x < 0) range.y = min(range.y, t.reference.x - most / edge.x);
+    }
+  return range.x > range.y ? ivec2(0, -1) : warpedColumns(t.view, vec2(range.x, rows.x), vec2(range.y, rows.y));
+}
+
+// The rows of the warped map that a band of the triangle may reach into in one of these columns. A rectilinear warp took all
+// of a column from one x, where the edges tell the range of y.
+ivec2 rowsIn(WarpedTriangle t, uint band, uint column) {
+  vec2 range = rowsOf(t, band);
   if (kWarp == kWarpRectilinear) {
     const float x = centreTexel(t.view, column).x - t.reference.x;
     for (int i = 0; i < 3; ++i) {
@@ -114,11 +151,10 @@ WarpedTriangle warpedTriangle(uint view, Corner corners[3]) {
   if (any(greaterThan(low, size)) || any(lessThan(high, vec2(0)))) return t;
   low = clamp(low, vec2(0), size);
   high = clamp(high, vec2(0), size);
-  t.columns = warpedColumns(view, low, high);
-  t.rows = vec2(low.y, high.y);
-  if (t.columns.x > t.columns.y) return t;
+  t.low = low;
+  t.high = high;
   if (kWarp == kWarpRectilinear) {
-    const ivec2 rows = warpedRows(view, 0, t.rows);  // the same for all columns
+    const ivec2 rows = warpedRows(view, 0, vec2(low.y, high.y));  // the same for all columns
     if (rows.x > rows.y) return t;
   }
 

@@ -10,13 +10,13 @@ layout(local_size_x = kMaxClusterTriangles) in;
 
 const int kFewTexels = 24;
 
-// An entry for each kColumnsPerEntry columns; which ones stands above the view.
-void list(uint id, uint columns) {
+// An entry for each kColumnsPerEntry columns of a band.
+void list(uint id, uint band, uint columns) {
   const uint entries = (columns + kColumnsPerEntry - 1) / kColumnsPerEntry;
   const uint place = atomicAdd(raster.listedCount[kKind], entries);
   if (place + entries > push.listedRoom) return;
   for (uint i = 0; i < entries; ++i)
-    listed[kKind * push.listedRoom + place + i] = ListedTriangle(push.view | i << kViewBits, id);
+    listed[kKind * push.listedRoom + place + i] = ListedTriangle(entryOf(push.view, band, i), id);
   const uint groups = (place + entries - 1) / kEntriesPerGroup + 1;
   atomicMax(raster.listed[kKind].x, min(groups, kWorkgroupsInRow));
   atomicMax(raster.listed[kKind].y, (groups - 1) / kWorkgroupsInRow + 1);
@@ -37,16 +37,21 @@ void main() {
   readTriangle(push.view, id, corners);
   const WarpedTriangle t = warpedTriangle(push.view, corners);
   if (!t.drawn) return;
-  // As many rows as in the middle, about.
-  const ivec2 middle = rowsIn(t, uint(t.columns.x + t.columns.y) / 2);
-  const int columns = t.columns.y - t.columns.x + 1;
-  if (columns * max(middle.y - middle.x + 1, 1) > kFewTexels) {
-    list(id, uint(columns));
-    return;
-  }
   const uint material = kMasked ? clusters[drawAt(command.firstInstance).cluster].material : 0;
-  for (int x = t.columns.x; x <= t.columns.y; ++x) {
-    const ivec2 rows = rowsIn(t, uint(x));
-    for (int y = rows.x; y <= rows.y; ++y) keepIfCovered(id, t, corners, material, uvec2(x, y));
+  const uint last = bandOf(t.high.y);
+  for (uint band = bandOf(t.low.y); band <= last; ++band) {
+    const ivec2 columns = columnsOf(t, band);
+    if (columns.x > columns.y) continue;
+    // As many rows as in the middle, about.
+    const ivec2 middle = rowsIn(t, band, uint(columns.x + columns.y) / 2);
+    const int width = columns.y - columns.x + 1;
+    if (width * max(middle.y - middle.x + 1, 1) > kFewTexels) {
+      list(id, band, uint(width));
+      continue;
+    }
+    for (int x = columns.x; x <= columns.y; ++x) {
+      const ivec2 rows = rowsIn(t, band, uint(x));
+      for (int y = rows.x; y <= rows.y; ++y) keepIfCovered(id, t, corners, material, uvec2(x, y));
+    }
   }
 }

@@ -1,6 +1,6 @@
 #version 460
 #extension GL_GOOGLE_include_directive : require
-// The second round in a warped map: a column of a listed triangle an invocation.
+// The second round in a warped map: a column of a listed band of a triangle an invocation.
 #include "raster_warped.glsl"
 
 #include "keep_depth.glsl"
@@ -13,14 +13,16 @@ void main() {
   // A list that overflowed has gaps: all is drawn again.
   if (item >= raster.listedCount[kKind] || raster.listedCount[kKind] > push.listedRoom) return;
   const ListedTriangle entry = listed[kKind * push.listedRoom + item];
-  const uint view = entry.view & ((1u << kViewBits) - 1);
+  uint view, band, column;
+  readEntry(entry.view, view, band, column);
   Corner corners[3];
   readTriangle(view, entry.id, corners);
   const WarpedTriangle t = warpedTriangle(view, corners);
-  const int x = t.columns.x + int((entry.view >> kViewBits) * kColumnsPerEntry +
-                                  gl_LocalInvocationID.x % kColumnsPerEntry);
-  if (!t.drawn || x > t.columns.y) return;
+  if (!t.drawn) return;
+  const ivec2 columns = columnsOf(t, band);
+  const int x = columns.x + int(column + gl_LocalInvocationID.x % kColumnsPerEntry);
+  if (x > columns.y) return;
   const uint material = kMasked ? clusters[drawAt(entry.id / kMaxClusterTriangles).cluster].material : 0;
-  const ivec2 rows = rowsIn(t, uint(x));
+  const ivec2 rows = rowsIn(t, band, uint(x));
   for (int y = rows.x; y <= rows.y; ++y) keepIfCovered(entry.id, t, corners, material, uvec2(x, y));
 }

@@ -15,7 +15,7 @@ using glm::dvec2;
 using glm::dvec3;
 using glm::dvec4;
 
-// Scenes take four to eight.
+// Scenes at hand took three to eight.
 constexpr int kMostSteps = 16;
 // Lines around a spot's cone: together 0.03 % wider than it at their corners.
 constexpr int kConeSides = 128;

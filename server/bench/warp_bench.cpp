@@ -148,9 +148,8 @@ double variationLeft(const FrameScene& scene, const Method& method, unsigned sid
 
 void printSpread(Renderer& renderer, const std::vector<std::string>& files, int texels) {
   fmt::print(
-      "{0} x {0} texels: variation of samples per texel after the warp over that before, a sample a pixel "
-      "and "
-      "sixteen; wrong pixels, %\n\n",
+      "{0} x {0} texels: variation of samples per texel after the warp over that before, with one sample a "
+      "pixel, and with sixteen; wrong pixels, %\n\n",
       texels);
   const auto device = need(Device::create("", false));
   FramePipelines pipelines(*device);

@@ -48,17 +48,18 @@ const std::vector<Place> kSpread = {{"builtin:atrium", "", "sun"},
                                     {"builtin:observatory", "", "spot"},
                                     {"builtin:conference", "", "spot"},
                                     {"builtin:trees?count=40", "walk", "low"}};
-// The second spreads them more evenly than the row does; the last puts one wherever it can, and what it
-// leaves in their counts is the pixels' grid.
+// Spreads samples more evenly than the row does.
+std::string evenMethod(int texels) { return fmt::format("notw,power=0.7,even=0.01,window={}", texels / 14); }
+
+// The last gives each sample its share wherever it lies: what it leaves in their counts is the pixels' grid.
 std::vector<std::string> spreadMethods(int texels) {
-  return {"rtw", "notw", fmt::format("notw,power=0.7,even=0.01,window={}", texels / 14),
-          "notw,power=1,even=0.01,window=1"};
+  return {"rtw", "notw", evenMethod(texels), "notw,power=1,even=0.01,window=1"};
 }
 
 // Whether shadows' edges lie along texels decides much of what a single size shows.
 constexpr std::array kSizes = {480, 496, 512, 528, 544, 560};
 std::vector<std::string> sizedMethods(int texels) {
-  return {"sm", "msf", "dv", "rtw", "notw", spreadMethods(texels)[2]};
+  return {"sm", "msf", "dv", "rtw", "notw", evenMethod(texels)};
 }
 
 std::vector<std::string> withTexels(std::vector<std::string> methods, int texels = kTexels) {
